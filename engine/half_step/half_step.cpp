@@ -73,7 +73,7 @@ void HalfStep::moved(World& world, Real /*h*/) {
 }
 
 /// The order of step.h, for one detection and one call of `solve`.
-Outcome HalfStep::try_step(World& world, Real dt) {
+StepOutcome HalfStep::try_step(World& world, Real dt) {
   Everybody everybody;
   for (Joint& joint : world.joints) std::fill(joint.impulses.begin(), joint.impulses.end(), 0);
   everybody.check(world);

@@ -10,7 +10,7 @@
 namespace pushback {
 
 /// The result of a try of a step.
-struct Outcome {
+struct StepOutcome {
   bool converged = false;
   double work = 0;          ///< multiplications, roughly
   Real energy_error = 0;    ///< as a fraction of what is allowed; see EnergyControl
@@ -54,7 +54,7 @@ class HalfStep : public StepSolver, public HalfStepSettings {
   Solved solved() const override { return {motion_.rows(), motion_.speed_error()}; }
 
   /// A step of dt, s, as World::step takes it. If it does not converge, bodies are where they were, but contacts and forces are not.
-  Outcome try_step(World& world, Real dt);
+  StepOutcome try_step(World& world, Real dt);
 
   // ---- of the latest step ---------------------------------------------------------------------------------------------
   /// How often a step was divided in two.

@@ -11,8 +11,8 @@ namespace pushback {
 
 namespace {
 
-constexpr double of_look = 500;   // multiplications for each pair of corners: some ten rounds of first_touch
-constexpr int most_pairs = 1000;  // solved in sequence, before all are at the same time
+constexpr double of_corners = 500;  // multiplications for each pair of corners: some ten rounds of first_touch
+constexpr int most_pairs = 1000;    // solved in sequence, before all are at the same time
 
 }  // namespace
 
@@ -169,7 +169,7 @@ bool ImpactCuts::next_touch(KickDrift& motion, const World& world, const std::ve
     const Body &a = bodies[p], &b = bodies[q];
     const Real before = touch.value_or(within);
     const auto corners = static_cast<double>(corners_of_core(a).size() * corners_of_core(b).size());
-    if (!motion.spend(of_look * (1 + corners))) return false;
+    if (!motion.spend(of_corners * (1 + corners))) return false;
     Flight of_a(a, accelerations_[p], turning_[p], before);
     Flight of_b(b, accelerations_[q], turning_[q], before);
     if (const std::optional<Real> met = first_touch(of_a, of_b, before, touches / 2)) touch = met, first_ = pair;

@@ -11,8 +11,8 @@ namespace {
 
 constexpr int most_tries = 50;  // to end a part of a step where something touches
 constexpr int most_bends = 3;   // of these, the first: aimed higher, by how far the drift has turned the contact in
-constexpr Real by_aiming = Real(1e-3);  // of T: a drift that is aimed higher may gain this much
-constexpr Real brief = Real(1e-7);      // s
+constexpr Real by_aiming = Real(1e-3);      // of T: a drift that is aimed higher may gain this much
+constexpr Real shortest_part = Real(1e-7);  // s
 
 }  // namespace
 
@@ -115,7 +115,7 @@ ImpactCuts::Length ImpactCuts::move_free(KickDrift& motion, World& world, Real w
     if (!higher) plain = energy;
     const bool gains = higher && energy > plain + by_aiming * kinetic;
     const std::vector<Sunk> sunk = sunk_since(motion, world, begin.contacts, part);
-    if (!gains && (sunk.empty() || part <= brief || tries >= most_tries)) return part;
+    if (!gains && (sunk.empty() || part <= shortest_part || tries >= most_tries)) return part;
     const double work = begin.held.work_left() - motion.contacts.work_left();
     motion.restore(world, begin);
     if (!motion.spend(work)) return {};
@@ -140,7 +140,7 @@ ImpactCuts::Length ImpactCuts::move_joined(KickDrift& motion, World& world, Real
   std::optional<Real> touch;
   if (!most || !next_touch(motion, world, begin.bodies, *most, touch)) return {};
   Real part = *most;
-  if (touch && *touch <= brief && touch_already(begin.contacts)) {
+  if (touch && *touch <= shortest_part && touch_already(begin.contacts)) {
     motion.restore(world, begin);
     std::vector<BodyPair>& held = *motion.contacts.only;
     held.insert(std::lower_bound(held.begin(), held.end(), *first_), *first_);

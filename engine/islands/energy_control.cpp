@@ -11,7 +11,6 @@ namespace {
 constexpr Real of_contacts = Real(0.01);  // of T + m (h g)^2 / 2: if contacts add more, they were not solved
 constexpr Real of_their_own =
     Real(1) / 120;  // s: in shorter steps many contacts get one half step, as substeps are fewer, too
-constexpr Real infinite = std::numeric_limits<Real>::infinity();
 
 Real mass_of(const World& world) {
   Real mass = 0;
@@ -22,21 +21,21 @@ Real mass_of(const World& world) {
 
 }  // namespace
 
-Outcome try_half_steps(IslandWorld& island, const IslandStep& step, int substeps) {
+StepOutcome try_half_steps(IslandWorld& island, const IslandStep& step, int substeps) {
   const bool worked_on = island.copy_bodies(step.whole);
   World& world = island.world;
   HalfStep& solver = island.half_step;
   solver.substeps = substeps;
   const Real kinetic_before = kinetic_energy(world), before = kinetic_before + potential_energy(world);
-  Outcome outcome = solver.try_step(world, step.dt);
+  StepOutcome outcome = solver.try_step(world, step.dt);
   if (island.joined_and_near()) solver.most_work = std::max(1.0, solver.most_work - outcome.work);
-  if (!outcome.converged) outcome.energy_error = infinite;
+  if (!outcome.converged) outcome.energy_error = infinite_error;
   if (!outcome.converged || worked_on) return outcome;
   const Real kinetic = kinetic_energy(world), gained = kinetic + potential_energy(world) - before;
   const Real mass = mass_of(world), freed = mass * world.gravity.norm() * step.classifier.overlap(island.lowest()),
              all = std::max(kinetic, kinetic_before) + mass * (step.dt * world.gravity).squaredNorm() / 2;
   if (world.joints.empty()) {  // contacts dissipate an unknown energy, and add none beyond what overlap frees
-    outcome.energy_error = gained - freed > of_contacts * all ? infinite : 0;
+    outcome.energy_error = gained - freed > of_contacts * all ? infinite_error : 0;
     return outcome;
   }
   Real off = std::abs(gained);
@@ -60,7 +59,7 @@ void control_by_energy(IslandWorld& island, IslandMemory& memory, const IslandSt
   const bool few_meet = island.impact && !joints && !step.classifier.many_contacts(island.lowest());
   const int least = most_half_steps(island, step), most = few_meet ? 4 * least : least;
   memory.substeps = joints ? std::max(memory.next, step.settings.joint_half_step.substeps) : least;
-  Outcome outcome;
+  StepOutcome outcome;
   for (;; memory.substeps *= 2) {
     outcome = try_half_steps(island, step, memory.substeps);
     if (outcome.energy_error <= 1 || 2 * memory.substeps > most || !can_double(island, outcome)) break;

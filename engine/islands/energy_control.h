@@ -6,6 +6,9 @@
 
 namespace pushback {
 
+/// The energy error of a step that did not converge.
+inline constexpr Real infinite_error = std::numeric_limits<Real>::infinity();
+
 /// The step that is being taken.
 struct IslandStep {
   const World& whole;  ///< as the step begins
@@ -30,7 +33,7 @@ struct IslandMemory {
 /// Impacts dissipate a known energy, which is no error. Friction dissipates an unknown one, so if contacts are held, only a gain counts.
 /// Overlap that is resolved may lift the island by no more than itself. If other forces act, energy_error is 0, and if the step does not
 /// converge, it is infinite.
-Outcome try_half_steps(IslandWorld& island, const IslandStep& step, int substeps);
+StepOutcome try_half_steps(IslandWorld& island, const IslandStep& step, int substeps);
 
 /// Doubles the half steps of the island until its energy error is at most 1. If that is below an eighth, the next step begins with half as
 /// many. Sets `island.held` if the island has been moved.
@@ -40,7 +43,7 @@ void control_by_energy(IslandWorld& island, IslandMemory& memory, const IslandSt
 int most_half_steps(const IslandWorld& island, const IslandStep& step);
 
 /// Whether the rest of `most_work` is enough for twice as many half steps. All tries for joined bodies with contacts share it.
-inline bool can_double(const IslandWorld& island, const Outcome& outcome) {
+inline bool can_double(const IslandWorld& island, const StepOutcome& outcome) {
   return !island.joined_and_near() || island.half_step.most_work > 2 * outcome.work;
 }
 

@@ -13,7 +13,6 @@ constexpr int least = 2;                           // half steps of a step that 
 constexpr int most_of_few = 16, most_of_many = 2;  // half steps of few contacts, and of many
 constexpr int most_of_second_order = 8;            // half steps of joints; beyond that they are composed
 constexpr int fourth_for = 60;                     // steps; then half steps are tried again
-constexpr Real infinite = std::numeric_limits<Real>::infinity();
 
 std::ptrdiff_t sliding(const World& world) {
   return std::count_if(world.contacts.begin(), world.contacts.end(),
@@ -174,12 +173,12 @@ Real ErrorControl::difference(const Search& search) {
 }
 
 /// A step in `memory.substeps`, with its position error, if `coarse` is known.
-Outcome ErrorControl::try_twice(Search& search) {
+StepOutcome ErrorControl::try_twice(Search& search) {
   IslandWorld& island = search.island;
-  Outcome outcome = try_half_steps(island, search.step, search.memory.substeps);
+  StepOutcome outcome = try_half_steps(island, search.step, search.memory.substeps);
   const Real energy_error = outcome.energy_error;
   island.held = island.joined_and_near() ? energy_error <= 1 : std::isfinite(energy_error);
-  outcome.position_error = infinite;
+  outcome.position_error = infinite_error;
   if (!island.held || search.coarse.empty()) return outcome;
   outcome.position_error = std::max(energy_error, difference(search) / search.allowed);
   if (sliding(island.world) == search.sliding) return outcome;
@@ -201,11 +200,11 @@ Real ErrorControl::find_enough(Search& search) {
   if (search.coarse.empty() && std::isfinite(try_half_steps(island, search.step, search.begun / 2).energy_error) &&
       undivided())
     search.coarse = island.world.bodies;
-  Real off = infinite;
+  Real off = infinite_error;
   int kept = 0, no_better = 0;
   for (memory.substeps = search.begun;; memory.substeps *= 2) {
     const Real before = off;
-    const Outcome outcome = try_twice(search);
+    const StepOutcome outcome = try_twice(search);
     Worth now = Worth::more;
     if (island.held && !search.coarse.empty()) {
       off = outcome.position_error;

@@ -91,7 +91,7 @@ class ErrorControl {
   static bool repeat_last(Search& search);
   Real find_enough(Search& search);
   Real difference(const Search& search);
-  Outcome try_twice(Search& search);
+  StepOutcome try_twice(Search& search);
   Real step_stiffly(RemainingBodies& remaining, World& world, const World& before, const StepClassifier& classifier,
                     Contacts& found, const SubstepPass& pass, Solved& solved);
   void find_meetings(const Contacts& found, const World& before, const World& after, StepClassifier& classifier,

@@ -9,7 +9,8 @@ namespace {
 constexpr int waits_after_failing = 10;  // steps; twice as many after each further failure,
 constexpr int most_failures = 4;         // up to this many
 constexpr int most_meetings = 8;  // in a step that is taken again for them; then the bodies that meet get substeps
-constexpr double of_look = 750;   // multiplications, for a contact that bears the same load in a half step as before
+constexpr double of_resting_contact =
+    750;  // multiplications, for a contact that bears the same load in a half step as before
 
 /// Whether half steps have let a contact in that was not detected. Islands that were deep before are left out: a press has no room.
 bool lets_in(const IslandWorld& island, const StepClassifier& classifier) {
@@ -121,7 +122,7 @@ void IslandSolver::step_island(IslandWorld& island, const IslandStep& step) {
     errors_.control(island, memory, step);
   }
   if (many) {
-    const double work = solver.work() + of_look * classifier_.contacts(lowest) * memory.substeps;
+    const double work = solver.work() + of_resting_contact * classifier_.contacts(lowest) * memory.substeps;
     if (island.held) saved.succeed(price - work, budget.most * price);
     else saved.fail(work, budget.at_once);
   }

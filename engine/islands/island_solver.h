@@ -21,7 +21,7 @@ namespace pushback {
 ///
 /// A step runs through these stages, which docs/engine.md draws:
 ///
-///   detect → classify → step each island: Outcome → (if bodies met others: classify again) → fall back → substeps → commit
+///   detect → classify → step each island: StepOutcome → (if bodies met others: classify again) → fall back → substeps → commit
 ///
 /// Half steps of resting islands cost next to nothing, however many contacts there are. In a tumbling island they can cost a hundred times
 /// as much as substeps. So if contacts are many, half steps are paid for from savings: see work_budget.h. The number of half steps follows

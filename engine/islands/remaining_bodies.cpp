@@ -9,13 +9,17 @@ namespace pushback {
 
 namespace {
 
+bool remains(const Body& body, const StepClassifier& classifier) {
+  return classifier.step_of(body.index) == StepType::substeps;
+}
+
 /// The remaining bodies, as World::step knows them, in a world whose contacts have been found.
 struct Remaining {
   const StepClassifier& classifier;
   Contacts& found;
   bool are_found = true;  // for the first detection only
 
-  bool contain(const Body& body) const { return classifier.step_of(body.index) == StepType::substeps; }
+  bool contain(const Body& body) const { return remains(body, classifier); }
   static void check(const World&) {}
   void find_contacts(World& world, const Margin& margin) {
     if (are_found) world.contacts.swap(found);
@@ -64,20 +68,20 @@ void step_immovable(World& world, const StepSolver& solver, Real dt) {
 
 class RemainingBodies::Absence {
  public:
-  Absence(RemainingBodies& memory, World& world, const Remaining& remaining)
-      : memory_(memory), world_(world), remaining_(remaining) {
+  Absence(RemainingBodies& memory, World& world, const StepClassifier& classifier)
+      : memory_(memory), world_(world), classifier_(classifier) {
     memory_.joints_.swap(world.joints);
     memory_.lent_.clear();
     for (std::size_t i = 0; i < memory_.joints_.size(); ++i) {
       const Body &a = world.body(memory_.joints_[i].a), &b = world.body(memory_.joints_[i].b);
-      if (!remaining.contain(a.movable() ? a : b)) continue;
+      if (!remains(a.movable() ? a : b, classifier)) continue;
       world.joints.push_back(std::move(memory_.joints_[i]));
       memory_.lent_.push_back(i);
     }
     memory_.velocities_.clear();
     for (Body& body : world.bodies) {
       memory_.velocities_.emplace_back(body.velocity, body.angular_velocity);
-      if (body.movable() && !remaining.contain(body)) body.velocity = body.angular_velocity = Vec3::Zero();
+      if (body.movable() && !remains(body, classifier)) body.velocity = body.angular_velocity = Vec3::Zero();
     }
   }
   ~Absence() {
@@ -86,7 +90,7 @@ class RemainingBodies::Absence {
     memory_.joints_.swap(world_.joints);
     memory_.joints_.clear();
     for (Body& body : world_.bodies) {
-      if (!body.movable() || remaining_.contain(body)) continue;
+      if (!body.movable() || remains(body, classifier_)) continue;
       std::tie(body.velocity, body.angular_velocity) = memory_.velocities_[std::size_t(body.index)];
     }
   }
@@ -96,25 +100,25 @@ class RemainingBodies::Absence {
  private:
   RemainingBodies& memory_;
   World& world_;
-  const Remaining& remaining_;
+  const StepClassifier& classifier_;
 };
 
 Solved RemainingBodies::step(World& world, const StepClassifier& classifier, Contacts& found, const SubstepPass& pass) {
   Remaining remaining{classifier, found};
-  const auto remains = [&](const Body& body) { return remaining.contain(body); };
-  if (std::none_of(world.bodies.begin(), world.bodies.end(), remains)) {
+  const auto contained = [&](const Body& body) { return remaining.contain(body); };
+  if (std::none_of(world.bodies.begin(), world.bodies.end(), contained)) {
     step_immovable(world, pass.runner, pass.dt);
     return {};
   }
   std::erase_if(found, [&](const Contact& contact) {
     const auto [a, b] = world.bodies_of(contact);
-    return !remains(a.movable() ? a : b) || contact.id.feature == no_feature;
+    return !contained(a.movable() ? a : b) || contact.id.feature == no_feature;
   });
   const int times = detections(world, remaining, pass.settings.limits, pass.dt);
   Plan plan = pass.runner.plan(pass.dt / static_cast<Real>(times));
   plan.detections = times;
   {
-    const Absence absence(*this, world, remaining);
+    const Absence absence(*this, world, classifier);
     pushback::step(world, pass.runner, plan, pass.dt, pass.sweeps, remaining);
   }
   return pass.runner.solved();
