@@ -92,5 +92,5 @@ Json answer(const Json& asked) {
 }  // namespace
 
 int main() {
-  for (std::string line; std::getline(std::cin, line);) std::cout << answer(Json::parse(line)) << std::endl;
+  for (std::string line; std::getline(std::cin, line);) std::cout << answer(Json::parse(line)) << '\n' << std::flush;
 }

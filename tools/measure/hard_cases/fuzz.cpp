@@ -221,7 +221,7 @@ std::vector<std::string> fuzzed_stages() {
 FuzzResult fuzz(const RandomScene& scene, const std::string& stage, bool log) {
   const NamedSolver& solver = solver_named(stage);
   try {
-    const FuzzResult finding = accounted(scene, solver);
+    FuzzResult finding = accounted(scene, solver);
     for (const FuzzedStage& one : watched_within)
       if (finding.broken.empty() && one.name == stage) return one.watched(scene, log);
     return finding;

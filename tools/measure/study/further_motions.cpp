@@ -198,8 +198,9 @@ void PileOfHulls::operator()(World& world) const {
     const int across = base - layer;
     const Real first = -static_cast<Real>(across - 1) / 2;
     for (int i = 0; i < across * across; ++i) {
-      const Vec3 place{(first + static_cast<Real>(i % across)) * apart, (static_cast<Real>(layer) + Real(0.5)) * high,
-                       (first + static_cast<Real>(i / across)) * apart};
+      const int row = i / across, column = i % across;
+      const Vec3 place{(first + static_cast<Real>(column)) * apart, (static_cast<Real>(layer) + Real(0.5)) * high,
+                       (first + static_cast<Real>(row)) * apart};
       world.add(Body(block).at(place));
     }
   }

@@ -46,8 +46,8 @@ class Ours : public Player {
 
 /// Method::begin, by a copy of this solver.
 inline auto by_ours(const AnySolver& solver, const Stepping& stepping = {}) {
-  return [=](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
-    return std::make_unique<Ours>(motion, setting, solver, stepping);
+  return [kept = std::make_shared<const AnySolver>(solver), stepping](const Motion& motion, const Setting& setting) {
+    return std::unique_ptr<Player>(std::make_unique<Ours>(motion, setting, *kept, stepping));
   };
 }
 

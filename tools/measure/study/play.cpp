@@ -66,7 +66,9 @@ double seconds_of(const Motion& motion, const Method& method, const Setting& set
   own.go();
   try {
     for (int i = 0; i < frames; ++i) player->frame(setting.substeps);
-  } catch (const InvalidInput&) {  // where it was lost before
+  } catch (const InvalidInput&) {
+    own.stop();  // it was lost at this frame before
+    return player->seconds().value_or(own.seconds());
   }
   own.stop();
   return player->seconds().value_or(own.seconds());
