@@ -367,17 +367,18 @@ TEST_CASE("by island: settings that cannot be used are named, and nothing has ch
   refused("most_work is 0", [](IslandSolver& s) { s.contact_half_step.most_work = 0; });
   refused("energy is 0", [](IslandSolver& s) { s.energy = 0; });
   refused("energy is nan", [](IslandSolver& s) { s.energy = std::numeric_limits<Real>::quiet_NaN(); });
-  refused("most_substeps is 3: no less than joined's", [](IslandSolver& s) { s.most_substeps = 3; });
+  refused("most_half_steps is 3: no less than joint_half_step.substeps",
+          [](IslandSolver& s) { s.most_half_steps = 3; });
   refused("substeps is 0", [](IslandSolver& s) { s.contact_half_step.substeps = 0; });
   refused("tolerance", [](IslandSolver& s) { s.joint_half_step.tolerance = 0; });
   refused("margin is -1", [](IslandSolver& s) { s.substep_solver.margin = -1; });
   for (const auto& [name, setting] :
-       {std::pair<std::string, double WorkBudgetSettings::*>{"of_contact", &WorkBudgetSettings::per_contact},
-        {"part", &WorkBudgetSettings::fraction},
+       {std::pair<std::string, double WorkBudgetSettings::*>{"per_contact", &WorkBudgetSettings::per_contact},
+        {"fraction", &WorkBudgetSettings::fraction},
         {"at_first", &WorkBudgetSettings::at_first},
         {"most", &WorkBudgetSettings::most},
         {"at_once", &WorkBudgetSettings::at_once}})
     for (const double value : {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
-      refused("savings." + name + " is " + fmt::format("{}: a finite number", value),
+      refused("budget." + name + " is " + fmt::format("{}: a finite number", value),
               [=, setting = setting](IslandSolver& s) { s.budget.*setting = value; });
 }

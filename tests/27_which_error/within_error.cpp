@@ -296,8 +296,8 @@ TEST_CASE("within an error: settings that cannot be used are named, and nothing 
   };
   refused("error is 0: a length above 0", [](IslandSolver& s) { s.error = 0; });
   refused("error is nan: a length above 0", [](IslandSolver& s) { s.error = std::numeric_limits<Real>::quiet_NaN(); });
-  refused("looks_every is 0: a whole number, 1 or more", [](IslandSolver& s) { s.check_every = 0; });
-  refused("most_of_many is 2: 4 or more", [](IslandSolver& s) { s.most_substeps = 2; });
+  refused("check_every is 0: a whole number, 1 or more", [](IslandSolver& s) { s.check_every = 0; });
+  refused("most_substeps is 2: 4 or more", [](IslandSolver& s) { s.most_substeps = 2; });
   refused("energy is 0", [](IslandSolver& s) { s.energy = 0; });
 }
 

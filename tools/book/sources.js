@@ -42,7 +42,7 @@ const packed = (text) => text.replace(/\s+/g, "");
 
 /// All sources in which a page may quote: {file, source, text}, the text without blanks.
 export function quotable(root) {
-  const folders = ["chapters", "common", "docs", "tests", "tools"].filter((name) =>
+  const folders = ["chapters", "common", "docs", "engine", "tests", "tools"].filter((name) =>
     fs.existsSync(path.join(root, name)),
   );
   return folders.flatMap((folder) =>

@@ -78,7 +78,7 @@ Command Sandbox::around(const Command& command, const fs::path& folder, const st
   std::vector<fs::path> bound = readable;
   bound.insert(bound.end(), {folder, headers / "common", names});
   made = made + ways_to(bound) + Command{"--ro-bind-try", names, names};
-  for (const char* part : {"common", "chapters"})
+  for (const char* part : {"common", "engine", "chapters"})
     made = made + Command{"--ro-bind", kit().sources / part, headers / part};
   made = made + Command{writable ? "--bind" : "--ro-bind", folder, folder};
   for (const fs::path& file : readable) made = made + Command{"--ro-bind", file, file};
