@@ -17,7 +17,7 @@ struct IslandStep {
   Real dt;  ///< s
 };
 
-/// What an island's lowest body remembers between steps.
+/// The memory of an island between steps, kept with its lowest body.
 struct IslandMemory {
   int substeps = 0;  ///< half steps of the latest step
   int next = 0;      ///< half steps of the next step

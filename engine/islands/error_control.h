@@ -7,7 +7,7 @@
 
 namespace pushback {
 
-/// What is known about a body's step.
+/// The estimated error of a body's step.
 struct BodyError {
   StepType how = StepType::none;
   int order = 0;     ///< of the steps: 0 if they are exact
@@ -57,7 +57,7 @@ class ErrorControl {
   /// After a step.
   void end(const StepClassifier& classifier, Real dt);
 
-  /// `substeps`: the half steps of its island, or the substeps. For a body that was not there: nothing.
+  /// `substeps`: the half steps of its island, or the substeps. Empty for a body that the step did not know.
   BodyError error_of(int body, StepClassifier& classifier, const IslandSettings& settings, int substeps) const;
   void forget() { bodies_.clear(); }
 

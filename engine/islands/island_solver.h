@@ -25,7 +25,7 @@ namespace pushback {
 ///
 /// Half steps of resting islands cost next to nothing, however many contacts there are. In a tumbling island they can cost a hundred times
 /// as much as substeps. So if contacts are many, half steps are paid for from savings: see work_budget.h. The number of half steps follows
-/// from the energy (EnergyControl) or from `error` (ErrorControl). An island that half steps cannot move gets substeps, for a while.
+/// from the energy (energy_control.h) or from `error` (error_control.h). An island that half steps cannot move gets substeps, for a while.
 ///
 /// Between steps the solver remembers for each body how it was moved, and in how many substeps. A program that composes its steps itself,
 /// as chapter 20's sleep does, uses `substep_solver` only.
@@ -37,15 +37,15 @@ class IslandSolver : public ForwardingSolver, public IslandSettings {
   void whole_step(World& world, Real dt, int sweeps) override;
   /// Call by call: `substep_solver` only.
   void solve(World& world, Real h, int sweeps) override;
-  /// Of all islands.
+  /// Rows and residual of all islands together.
   Solved solved() const override { return call_by_call_ ? inner().solved() : solved_; }
 
   // ---- of the latest step ---------------------------------------------------------------------------------------------
-  /// How a body was moved. For a body that was not there: none.
+  /// How a body was moved: none for a body that the step did not know.
   StepType step_of(int body) const { return classifier_.step_of(body); }
   /// The half steps of its island; 0 for a body that was moved otherwise.
   int half_steps_of(int body);
-  /// What is known about its error, with `error`. For a body that was not there: nothing.
+  /// The estimated error of a body, if `error` is set. Empty for a body that the step did not know.
   BodyError error_of(int body);
   const StepClassifier& classifier() const { return classifier_; }
   /// The islands that half steps moved, or were tried on.

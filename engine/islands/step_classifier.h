@@ -39,11 +39,11 @@ class StepClassifier {
   /// `contacts`: all within the margin, ascending. A contact that approaches faster than `threshold`, m/s, and may close within dt is an
   /// impact.
   void classify(const World& world, const Contacts& contacts, Real dt, Real threshold, const ClassifierLimits& limits);
-  /// For a body that was not there: none.
+  /// None for a body that `classify` did not see.
   StepType step_of(int body) const {
     return std::size_t(body) < step_of_.size() ? step_of_[std::size_t(body)] : StepType::none;
   }
-  /// The lowest body of the island. What follows takes this as `island`.
+  /// The lowest body of the island. The functions below take it as `island`.
   int island_of(int body) { return islands_.island_of(body); }
   /// Whether bodies may meet in this step.
   bool impact(int island) const { return at(island).impact; }

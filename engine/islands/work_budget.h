@@ -7,7 +7,7 @@ namespace pushback {
 
 /// The work that half steps will take is not known before they are tried. The work of substeps is known: so many multiplications
 /// per contact. While an island gets substeps, it saves a fraction of their work. When it has saved enough, half steps are tried, and
-/// stopped when they have spent the savings. Half steps that succeed are charged the work beyond that of substeps; if they took
+/// stopped when they have spent the savings. A success is charged the work beyond the price of substeps. If it took
 /// less, the rest is saved. After a failure, the next try needs twice the savings.
 ///
 /// So an island takes at most 1 + `fraction` times as long as by substeps only, apart from its savings `at_first`. This is the ski rental
@@ -21,7 +21,7 @@ struct WorkBudgetSettings {
   double at_once = 20;        ///< the same, spent in one step
 };
 
-/// What some bodies have saved, and need for the next try.
+/// The savings of some bodies, and the savings that their next try needs.
 class WorkBudget {
  public:
   WorkBudget() = default;
