@@ -63,6 +63,13 @@ Real step_size(const Row& one, const Row& two) {
 }  // namespace
 
 void FlatSolver::solve(World& world, Real dt, int sweeps) {
+  make_rows(world, dt);
+  guess_impulses(world, dt);
+  sweep(world.contacts, sweeps);
+  keep_impulses(world.contacts);
+}
+
+void FlatSolver::make_rows(World& world, Real dt) {
   Contacts& contacts = world.contacts;
 
   normals_.clear();
@@ -96,9 +103,12 @@ void FlatSolver::solve(World& world, Real dt, int sweeps) {
     tangents_.push_back(row_of(world, i, tangent2));
     step_sizes_.push_back(step_size(tangents_.end()[-2], tangents_.back()));  // 08
   }
+}
 
-  // 07: warm start: the initial guess is the impulse of the same point one step before. Both lists ascend by id, so one
-  // walk along both finds the pairs.
+/// 07: warm start: the initial guess is the impulse of the same point one step before. Both lists ascend by id, so one
+/// walk along both finds the pairs.
+void FlatSolver::guess_impulses(World& world, Real dt) {
+  Contacts& contacts = world.contacts;
   auto old = world.contacts_before.begin();
   for (Contact& c : contacts) {
     while (old != world.contacts_before.end() && old->id < c.id) ++old;
@@ -107,7 +117,9 @@ void FlatSolver::solve(World& world, Real dt, int sweeps) {
   }
   for (Row& row : normals_) reach(row, contacts[row.contact].impulse.dot(row.n));
   for (Row& row : tangents_) reach(row, contacts[row.contact].impulse.dot(row.n));
+}
 
+void FlatSolver::sweep(const Contacts& contacts, int sweeps) {
   // Sequential Impulses: one row after the other, each as if it were alone, over and over.
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     // 01: J V + b = 0.   lambda = -(J V + b) / K
@@ -132,7 +144,9 @@ void FlatSolver::solve(World& world, Real dt, int sweeps) {
       reach(two, total2);
     }
   }
+}
 
+void FlatSolver::keep_impulses(Contacts& contacts) {
   // Each contact keeps its impulse.
   for (Contact& c : contacts) c.impulse.setZero();
   for (const Row& row : normals_) contacts[row.contact].impulse += row.impulse * row.n;

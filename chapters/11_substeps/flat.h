@@ -36,6 +36,11 @@ class FlatSolver : public StepSolver {
   void solve(World& world, Real dt, int sweeps) override;
 
  private:
+  void make_rows(World& world, Real dt);
+  void guess_impulses(World& world, Real dt);  // 07
+  void sweep(const Contacts& contacts, int sweeps);
+  void keep_impulses(Contacts& contacts);
+
   std::vector<Row> normals_;      // one for each contact
   std::vector<Row> tangents_;     // 06: two for each contact that can rub
   std::vector<Real> step_sizes_;  // 08: of each two of them, 1 / k, kg

@@ -95,15 +95,20 @@ void carry(Row& row) {
 }  // namespace
 
 void FlatSolver::solve(World& world, Real dt, int sweeps) {
+  make_rows(world);
+  add_springs(dt);
+  make_joint_rows(world, dt);
+  guess_impulses(world, dt);
+  sweep(world.contacts, sweeps);
+  keep_impulses(world.contacts);
+}
+
+void FlatSolver::make_rows(World& world) {
   Contacts& contacts = world.contacts;
 
   normals_.clear();
   tangents_.clear();
   step_sizes_.clear();
-  // 12: an overlap is a spring with a damper.   w = 2 pi hertz,  k = w^2 / K,  c = 2 zeta w / K,  where 1/K cancels:
-  const Real w = 2 * pi * std::min(hertz, 1 / (8 * dt));                // no stiffer than eight steps to an oscillation
-  const Real push_out_rate = w / (2 * damping_ratio + dt * w);          // k / (c + h k)
-  const Real gamma_by_K = 1 / (dt * w * (2 * damping_ratio + dt * w));  // gamma / K,  gamma = 1 / (h (c + h k))
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact& c = contacts[i];
     // 01: a row along the normal
@@ -112,24 +117,15 @@ void FlatSolver::solve(World& world, Real dt, int sweeps) {
     // 02: contacts push and never pull.   sum(lambda) in [0, inf)
     Row& normal = normals_.back();
     normal.lo = 0;
+    normal.separation = -c.depth;  // 12
 
     // 05: the bounce, from the velocities before gravity and impulses.   b = e v_n
     const auto [a, b] = world.bodies_of(c);
     const Vec3 va = a.velocity_before + a.angular_velocity_before.cross(c.point - a.position);
     const Vec3 vb = b.velocity_before + b.angular_velocity_before.cross(c.point - b.position);
     const Real approach = (vb - va).dot(c.normal);
-    if (approach < -threshold) normal.bounce = std::min(normal.bounce, c.restitution * approach);
-
-    // 12: or the push-out, where nothing bounces.   b = k / (c + h k) C
-    normal.bias = normal.bounce;
-    if (c.depth > 0 && normal.bounce == 0) {
-      const Real push_out = push_out_rate * -c.depth;
-      normal.bias = std::max(push_out, -fastest_push_out);
-      if (push_out >= -fastest_push_out) {  // else rigid: a spring that may not push harder would sink for ever
-        normal.softness = gamma_by_K / normal.effective_mass;
-        normal.effective_mass /= 1 + gamma_by_K;  // 1 / (K + gamma)
-      }
-    }
+    if (approach < -threshold) normal.bias = std::min(normal.bias, c.restitution * approach);
+    normal.bounce = normal.bias;  // 12
 
     // 06: two rows along tangents, where the pair has friction
     if (c.friction == 0) continue;
@@ -138,8 +134,28 @@ void FlatSolver::solve(World& world, Real dt, int sweeps) {
     tangents_.push_back(row_of(world, i, tangent2));
     step_sizes_.push_back(step_size(tangents_.end()[-2], tangents_.back()));  // 08
   }
+}
 
-  // 13: a row for each equation of each joint.   J V + b + gamma lambda = 0,   b = b_C + (beta / h) C
+/// 12: an overlap is a spring with a damper.   w = 2 pi hertz,  k = w^2 / K,  c = 2 zeta w / K,  where 1/K cancels
+void FlatSolver::add_springs(Real dt) {
+  const Real w = 2 * pi * std::min(hertz, 1 / (8 * dt));                // no stiffer than eight steps to an oscillation
+  const Real push_out_rate = w / (2 * damping_ratio + dt * w);          // k / (c + h k)
+  const Real gamma_by_K = 1 / (dt * w * (2 * damping_ratio + dt * w));  // gamma / K,  gamma = 1 / (h (c + h k))
+  for (Row& normal : normals_) {
+    // The push-out.   b = k / (c + h k) C
+    if (normal.separation < 0 && normal.bias == 0) {
+      const Real push_out = push_out_rate * normal.separation;
+      normal.bias = std::max(push_out, -fastest_push_out);
+      if (push_out >= -fastest_push_out) {  // else rigid: a spring that may not push harder would sink for ever
+        normal.softness = gamma_by_K / normal.effective_mass;
+        normal.effective_mass /= 1 + gamma_by_K;  // 1 / (K + gamma)
+      }
+    }
+  }
+}
+
+/// 13: a row for each equation of each joint.   J V + b + gamma lambda = 0,   b = b_C + (beta / h) C
+void FlatSolver::make_joint_rows(World& world, Real dt) {
   joints_.clear();
   equations_.clear();
   for (const Joint& joint : world.joints) {
@@ -158,9 +174,12 @@ void FlatSolver::solve(World& world, Real dt, int sweeps) {
       joints_.push_back(row);
     }
   }
+}
 
-  // 07: warm start: the initial guess is the impulse of the same point one step before. Both lists ascend by id, so one
-  // walk along both finds the pairs.
+/// 07: warm start: the initial guess is the impulse of the same point one step before. Both lists ascend by id, so one
+/// walk along both finds the pairs.
+void FlatSolver::guess_impulses(World& world, Real dt) {
+  Contacts& contacts = world.contacts;
   auto old = world.contacts_before.begin();
   for (Contact& c : contacts) {
     while (old != world.contacts_before.end() && old->id < c.id) ++old;
@@ -169,8 +188,6 @@ void FlatSolver::solve(World& world, Real dt, int sweeps) {
   }
   for (Row& row : normals_) reach(row, contacts[row.contact].impulse.dot(row.n));
   for (Row& row : tangents_) reach(row, contacts[row.contact].impulse.dot(row.n));
-
-  sweep(contacts, sweeps);
 }
 
 /// 12: the push-out has moved the bodies. Its speed, if it stayed, would be energy fed in: so one more sweep with rows
@@ -190,9 +207,10 @@ void FlatSolver::moved(World& world, Real dt) {
   for (std::size_t i = 0; i < joints_.size(); ++i)
     if (joints_[i].softness == 0) place(joints_[i], equations_[i]);
   sweep(world.contacts, 1);
+  keep_impulses(world.contacts);
 }
 
-void FlatSolver::sweep(Contacts& contacts, int sweeps) {
+void FlatSolver::sweep(const Contacts& contacts, int sweeps) {
   // Sequential Impulses: one row after the other, each as if it were alone, over and over.
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (Row& row : normals_) solve_alone(row);
@@ -214,7 +232,9 @@ void FlatSolver::sweep(Contacts& contacts, int sweeps) {
       reach(two, total2);
     }
   }
+}
 
+void FlatSolver::keep_impulses(Contacts& contacts) {
   // Each contact keeps its impulse.
   for (Contact& c : contacts) c.impulse.setZero();
   for (const Row& row : normals_) contacts[row.contact].impulse += row.impulse * row.n;

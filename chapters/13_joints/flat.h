@@ -23,6 +23,7 @@ struct Row {
   Real bias = 0;              // 03: b, m/s: minus the wanted separating speed
   Real bounce = 0;            // 12: b without the push-out, m/s
   Real softness = 0;          // 12: gamma, 1/kg
+  Real separation = 0;        // 12: C, m
   Vec3 apart = Vec3::Zero();  // 12: x_B - x_A when the row was placed, m
   Real lo = -inf, hi = inf;   // 02: limits of the sum, N s
   Real impulse = 0;           // sum(lambda), N s: over all sweeps of this step
@@ -44,7 +45,12 @@ class FlatSolver : public StepSolver {
   void moved(World& world, Real dt) override;  ///< 12
 
  private:
-  void sweep(Contacts& contacts, int sweeps);
+  void make_rows(World& world);
+  void add_springs(Real dt);                    // 12
+  void make_joint_rows(World& world, Real dt);  // 13
+  void guess_impulses(World& world, Real dt);   // 07
+  void sweep(const Contacts& contacts, int sweeps);
+  void keep_impulses(Contacts& contacts);
 
   std::vector<Row> normals_;      // one for each contact
   std::vector<Row> tangents_;     // 06: two for each contact that can rub

@@ -143,20 +143,19 @@ const std::vector<ChapterOfMine>& chapters_of_mine() {
         "there again."}},
       {21,
        "contacts detected once, and followed through 32 substeps",
-       {"Begin from the solver of chapter 14. Plan: .substeps = 32, .sweeps = 1, .margin = {.least = 0.02, .ahead = "
-        "dt}. Rows and initial guess are made in detected(world, h), once in a step; solve begins each row with the "
-        "impulse that it has, and applies it. A guess: pushed = max(0, impulse · n), and what is along the surface is "
-        "scaled back to μ pushed.",
-        "In moved, add h v and h ω to what each body has moved. C = C₀ + n·(X_B − X_A) + (r_B × n)·Θ_B − (r_A × "
-        "n)·Θ_A. In solve, C > 0: b = C/h, rigid; if it can bounce and C > 0.1 m/s · h, no row yet. C ≤ 0: chapter "
-        "12's spring with −C for the depth. In moved, the relaxing sweep has b = max(b, 0), or the bounce. Carry only "
-        "rows of bodies that pass each other by more than 1 mm/s, and then C₀ such that C stays.",
-        "A bounce, where u = −v_n⁻ > 0.1 m/s, e > 0 and C − h u < 0: ha = max(0, v_n⁻ − J V), a = ha/h, S = max(0, "
-        "u²/2 + a C + ha u/2), C⁺ = max(0, C), way = e (h √(2 S) − C⁺) − C⁺, b = −way/h, bounce = −(ha/2 + √max(0, "
-        "ha²/4 + 2 (e² S − a (C + way)))). Solve normals as in chapter 09. The next substep begins with what this one "
-        "began with.",
-        "In done: c.depth = −C, c.impulse the sum over the substeps of n and tangents, c.last_impulse that of the last "
-        "one. Erase contacts with depth < 0 and no impulse."}},
+       {"Begin from the solver of chapter 12. Plan: .substeps = 32, .sweeps = 1, .margin = {0.02, dt}. Make the rows "
+        "and "
+        "the initial guess in detected(world, h), once per step; there also b of the bounce, e J V if J V < −0.1 m/s. "
+        "solve starts each row from the impulse that it has, and applies it to the bodies.",
+        "The guess, within the friction cone of the new normal: pushed = max(0, impulse · n), and the part along the "
+        "surface is at most μ pushed.",
+        "C is −depth at first. In moved, before you carry the rows: C += h J V. In solve, C > 0: b = C/h, rigid. C ≤ "
+        "0: "
+        "chapter 12's spring with −C for the depth. The relaxing sweep has b = max(b, 0).",
+        "In done: c.depth = −C, c.last_impulse the impulse of the last substep. If a contact with a bounce has given "
+        "any impulse in the step: set all impulses to 0, b to the bounce, and sweep ten times. c.impulse is the sum "
+        "over "
+        "the substeps and the bounce. Erase contacts with depth < 0 and no impulse."}},
   };
   return all;
 }

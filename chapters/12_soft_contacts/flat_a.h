@@ -1,0 +1,52 @@
+/// Chapter 12a's solver as a plain loop: each overlap is a spring with a damper. A test holds it to the bits of
+/// Substeps<RelaxingSolver<Clamping, SoftContacts, Restitution, FrictionCone, WarmStart>> without its relaxing pass.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "pushback/common/world/step_solver.h"
+
+namespace pushback::flat_12a {
+
+inline constexpr Real inf = std::numeric_limits<Real>::infinity();
+
+/// One direction of one contact.   J = [ -n  -(r_A x n)  n  (r_B x n) ],   V = (v_A, w_A, v_B, w_B),   K = J M^-1 J^T
+struct Row {
+  std::size_t contact;       // index of its contact, and of that contact's normal row
+  Body *a, *b;               // the contact's normal points from A to B
+  Vec3 n, ra_n, rb_n;        // J; n: the row's direction, unit, world axes
+  Vec3 dva, dwa, dvb, dwb;   // M^-1 J^T: what an impulse of 1 N s adds to each velocity
+  Real effective_mass;       // 1 / K, kg
+  Real bias = 0;             // 03: b, m/s: minus the wanted separating speed
+  Real softness = 0;         // 12: gamma, 1/kg
+  Real separation = 0;       // 12: C, m
+  Real lo = -inf, hi = inf;  // 02: limits of the sum, N s
+  Real impulse = 0;          // sum(lambda), N s: over all sweeps of this step
+};
+
+class FlatSolver : public StepSolver {
+ public:
+  Real threshold = Real(0.1);  ///< 05: m/s; what arrives slower does not bounce
+  int substeps = 32;           ///< 11: of each step
+  Real hertz = 240;            ///< 12: of the spring that an overlap is
+  Real damping_ratio = 5;      ///< 12: zeta of its damper; 1: critical
+  Real fastest_push_out = 3;   ///< 12: m/s
+
+  /// 11: so many substeps of one sweep in each step, and contacts are detected anew in every one.
+  Plan plan(Real /*dt*/) const override { return {.detections = substeps, .sweeps = 1}; }
+  void solve(World& world, Real dt, int sweeps) override;
+
+ private:
+  void make_rows(World& world);
+  void add_springs(Real dt);                   // 12
+  void guess_impulses(World& world, Real dt);  // 07
+  void sweep(const Contacts& contacts, int sweeps);
+  void keep_impulses(Contacts& contacts);
+
+  std::vector<Row> normals_;      // one for each contact
+  std::vector<Row> tangents_;     // 06: two for each contact that can rub
+  std::vector<Real> step_sizes_;  // 08: of each two of them, 1 / k, kg
+};
+
+}  // namespace pushback::flat_12a
