@@ -1,5 +1,6 @@
 /// Code that a page quotes stands in a source file: of the project, or of its tests, which compile the answers to exercises.
 #include <algorithm>
+#include <regex>
 
 #include "tests/project/links.h"
 
@@ -48,4 +49,20 @@ TEST_CASE("what a page quotes as code stands in a source file") {
     }
   }
   CHECK(parts > 50);
+}
+
+TEST_CASE("a link to a line of a source file leads to the function that its text names") {
+  const std::regex link(R"(\[`(?:\w+::)?(\w+)`\]\(([^)#]+)#L(\d+)\))");
+  int links = 0;
+  for (const fs::path& page : pages_in(SOURCE_DIR)) {
+    const std::string text = text_of(page);
+    for (std::sregex_iterator at(text.begin(), text.end(), link), none; at != none; ++at, ++links) {
+      const std::vector<std::string> lines = lines_of(text_of(page.parent_path() / (*at)[2].str()));
+      const std::size_t line = std::stoul((*at)[3]);
+      INFO(page << ": " << at->str());
+      REQUIRE((line > 0 && line <= lines.size()));
+      CHECK(contains(lines[line - 1], (*at)[1].str() + "("));
+    }
+  }
+  CHECK(links >= 9);
 }
