@@ -7,6 +7,7 @@ import path from "node:path";
 import { test } from "node:test";
 import { readBook, stillOf } from "../../tools/book/book.js";
 import { home as root } from "../../tools/book/experiments.js";
+import { pagesOf } from "../../tools/book/pages.js";
 
 const header = "#pragma once\n\nstruct Clamping {\n  int least = 0;\n};\n";
 const picture = '<svg xmlns="http://www.w3.org/2000/svg" width="20" height="10"></svg>';
@@ -143,6 +144,31 @@ test("the words for the search are those of each section", () => {
     { id: "", title: "01 One", text: "first β " },
     { id: "part", title: "Part", text: "code and more " },
   ]);
+});
+
+test("the place of a page and its foot are links of the layout, not words of the page", () => {
+  const up = "../../README.md#a-part";
+  const page = chapterOf(`[Trunk, 1 of 1](${up})\n\nWhat?\n\n[Front](../../README.md) · **[The trunk](${up})**`);
+  assert.match(page.html, /<\/h1>\s*<p>What\?<\/p>\s*$/);
+  assert.deepEqual(page.place, { text: "Trunk, 1 of 1", href: "../../index.html#a-part" });
+  assert.deepEqual(
+    page.foot.map(({ href }) => href),
+    ["../../index.html", "../../index.html#a-part"],
+  );
+  assert.equal(page.sections[0].text, "What? ");
+});
+
+test("the feet of the chapters lead to the pages before and behind them in the book", () => {
+  const pages = pagesOf(readBook(root), root).filter(({ part }) => part === "Chapters");
+  const there = (page, { href }) => path.posix.join(path.posix.dirname(page.address), href);
+  assert.ok(pages.length >= 30);
+  pages.forEach((page, i) => {
+    const links = [pages[i - 1], pages[i + 1]].filter(Boolean).map(({ address }) => address);
+    const foot = page.foot.slice(0, 2).map((link) => there(page, link));
+    for (const address of links) assert.ok(foot.includes(address), `${page.file}: ${address}`);
+    assert.ok(page.place, page.file);
+    assert.equal(page.onward.address, there(page, page.foot.at(-1)), page.file);
+  });
 });
 
 test("the still of a film is its first picture", () => {

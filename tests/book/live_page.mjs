@@ -94,7 +94,12 @@ for (const chapter of chapters) {
 
   test(`${chapter}: its sentences say what the experiment shows, and its sliders change it`, async () => {
     const engine = await engineOf(chapter);
-    const text = fs.readFileSync(path.join(home, "chapters", chapter, "README.md"), "utf8");
+    const folder = path.join(home, "chapters", chapter);
+    const text = fs
+      .readdirSync(folder)
+      .filter((name) => name.endsWith(".md"))
+      .map((name) => fs.readFileSync(path.join(folder, name), "utf8"))
+      .join("\n\n");
     const played = ({ assignments, scene, places, which, steps }, own = "") => {
       assert.equal(engine.set([assignments, own].filter(Boolean).join(";")), "");
       engine.choose(scene, places);

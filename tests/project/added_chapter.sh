@@ -58,17 +58,20 @@ END
 cat >"$folder/README.md" <<END
 # $number · Trial
 
+[Branch of 21](../../README.md#the-trunk)
+
 ![Sheet: a ball on the ground, and a ball that has left it](../../renders/$name/sheet.png)
 
 <!-- numbers.md -->
 <!-- end -->
 
-[${last%%_*} before](../$last/README.md) · [Front page](../../README.md)
+[${last%%_*} before](../$last/README.md) · [Front page](../../README.md) · **[The trunk and its branches](../../README.md#the-trunk)**
 END
 
 # ---- three edits elsewhere -------------------------------------------------------------------------------------------
 sed -i "\$s|\[Front page\](../../README.md)|[$number Trial](../$name/README.md)|" "chapters/$last/README.md"
-sed -i "/^|.*chapters\/$last\/README.md/a | **$number [Trial]($folder/README.md)** | | |" README.md
+sed -i -e "/^| \[!\[.*chapters\/$last\/README.md/a | **$number [Trial]($folder/README.md)** | | |" \
+  -e "/^| 13 |/s#) |\$#), [$number]($folder/README.md) |#" README.md
 sed -i -e "0,/^#include \"pushback\/chapters/s||#include \"pushback/$folder/scenes.h\"\n&|" \
   -e "/^  return {$/a\      {\"$number-ball\", trial_scenes::ball}," tools/catalogue/catalogue.cpp
 edited=$(diff -rq "$root" . -x build -x .git -x node_modules -x renders -x "$name" | sort) || true

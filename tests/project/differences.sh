@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Writes FOLDER/NN_name/difference.md for each chapter that has the whole solver as a plain loop (flat.h and flat.cpp) and a
-# place for it in its page: what changes there against the loop with which the page compares it. The first compares with none
+# place for it in one of its pages: what changes there against the loop with which the page compares it. The first compares with none
 # and shows the loop itself.
 #   tests/project/differences.sh FOLDER
 set -euo pipefail
@@ -40,8 +40,8 @@ block() { printf '\140\140\140%s\n%s\n\140\140\140\n' "$1" "$(cat)"; }  # betwee
 
 for flat in chapters/[0-9][0-9]_*/flat.cpp; do
   chapter=$(dirname "$flat")
-  grep -q '^<!-- difference.md -->$' "$chapter/README.md" || continue
-  before=$(sed -n 's|.*(flat.cpp), against \[.*\](../\(.*\)/flat.cpp).*|\1|p' "$chapter/README.md")
+  page=$(grep -l '^<!-- difference.md -->$' "$chapter"/*.md) || continue
+  before=$(sed -n 's|.*(flat.cpp), against \[.*\](../\(.*\)/flat.cpp).*|\1|p' "$page")
   mkdir -p "$1/${chapter#*/}"
   if [[ $before ]]; then for file in flat.h flat.cpp; do changes "chapters/$before" "$chapter" $file; done | block diff
   else bare "$flat" | sed -n '/^\/\/\/ J V/,$p' | block cpp

@@ -131,7 +131,9 @@ std::vector<fs::path> pages() {
     if (entry.path().extension() == ".md") all.push_back(entry.path());
   }
   for (const auto& entry : fs::directory_iterator("chapters")) {
-    if (fs::exists(entry.path() / "README.md")) all.push_back(entry.path() / "README.md");
+    if (!entry.is_directory()) continue;
+    for (const auto& page : fs::directory_iterator(entry.path()))
+      if (page.path().extension() == ".md") all.push_back(page.path());
   }
   return all;
 }

@@ -1,13 +1,16 @@
 #!/usr/bin/env bash
-# The tables of measured numbers in the chapters' READMEs, and in the pages on accuracy and time, on the benchmark, on other methods and on which solver to take, are copies of what the
-# programs wrote into renders/: this test compares them. So are the differences in code, which differences.sh writes there.
+# The tables of measured numbers on the chapters' pages, and on the pages on accuracy and time, on the benchmark, on other methods
+# and on which solver to take, are copies of what the programs wrote into renders/: this test compares them. So are the differences
+# in code, which differences.sh writes there.
 #   tests/project/readme_numbers.sh           fails, with the difference, where a page is not up to date
 #   tests/project/readme_numbers.sh --write   brings every page up to date
-# A page marks the place:  <!-- numbers.md -->  table  <!-- end -->,  and so for difference.md
+# A page marks the place:  <!-- numbers.md -->  table  <!-- end -->,  and so for difference.md. If a chapter has several pages, a
+# page names its tables by their scenes, and what stands below them as remarks:  <!-- numbers.md: a ball | a stack | remarks -->
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
 passed=0 failed=0
+wrong() { echo "$*"; failed=$((failed + 1)); }
 if [[ ${1:-} == --write ]]; then bash tests/project/differences.sh renders
 else
   scratch=$(mktemp -d)
@@ -15,35 +18,66 @@ else
   bash tests/project/differences.sh "$scratch"
   for made in "$scratch"/*/difference.md; do
     shown=renders/${made#"$scratch/"}
-    diff "$made" "$shown" && continue
-    echo "$shown differs from what the sources say: run tests/project/readme_numbers.sh --write"
-    failed=$((failed + 1))
+    diff "$made" "$shown" || wrong "$shown differs from what the sources say: run tests/project/readme_numbers.sh --write"
   done
 fi
+
+# filled PAGE FOLDER: the page with the files of the folder in their places. Fails if it has no place.
+filled() {
+  awk -v folder="$2" '
+    # The parts of a file are separated by empty lines. A part is a table, which its first cell names, or the remarks.
+    function name_of(line, cells) { split(line, cells, / *\| */); return line ~ /^\|/ ? cells[2] : "remarks" }
+    function show(file, names,   line, name, before, shown, wanted, count, i) {
+      count = split(names, wanted, / \| /)  # none: all parts
+      while ((getline line < file) > 0) {
+        if (before == "") name = name_of(line)
+        before = line
+        for (i = count; i > 0 && wanted[i] != name; --i) continue
+        if (!count || i) print shown = line
+      }
+      close(file)
+      if (shown != "") print ""
+    }
+    /^<!-- [a-z]+\.md(: .*)? -->$/ {
+      print
+      print ""
+      name = names = $0
+      sub(/^<!-- /, "", name)
+      sub(/(: .*)? -->$/, "", name)
+      if (!sub(/^[^:]*: /, "", names)) names = ""
+      sub(/ -->$/, "", names)
+      show(folder "/" name, names)
+      skip = found = 1
+    }
+    /^<!-- end -->$/ { skip = 0 }
+    !skip            { print }
+    END              { exit found ? 0 : 1 }' "$1"
+}
+
 for readme in chapters/[0-9][0-9]_*/README.md docs/accuracy_and_time.md docs/benchmark.md docs/methods.md docs/which_solver.md; do
   name=$(basename "$(dirname "$readme")")
   [[ $readme != docs/accuracy_and_time.md && $readme != docs/benchmark.md ]] || name=19_accuracy_and_time
   [[ $readme != docs/methods.md ]] || name=methods
   [[ $readme != docs/which_solver.md ]] || name=26_to_each_its_own
   numbers=renders/$name
-  wanted=$(awk -v folder="$numbers" '
-    /^<!-- [a-z]+\.md -->$/ { print; print ""; file = folder "/" $2; while ((getline line < file) > 0) print line; print ""; skip = 1; found = 1 }
-    /^<!-- end -->$/        { skip = 0 }
-    !skip                   { print }
-    END                     { exit found ? 0 : 1 }' "$readme") || { echo "$readme: no place for the numbers"; failed=$((failed + 1)); continue; }
-  if [[ -e $numbers/difference.md ]] && ! grep -q '^<!-- difference.md -->$' "$readme"; then
-    echo "$readme: no place for the difference in code"
-    failed=$((failed + 1))
-    continue
+  pages=("$readme")
+  [[ $readme == docs/* ]] || pages=("${readme%/*}"/*.md)
+  before=$failed
+  for page in "${pages[@]}"; do
+    wanted=$(filled "$page" "$numbers") || { [[ $page != "$readme" ]] || wrong "$page: no place for the numbers"; continue; }
+    if [[ ${1:-} == --write ]]; then printf '%s\n' "$wanted" >"$page"
+    elif ! printf '%s\n' "$wanted" | diff - "$page"; then
+      wrong "$page differs from $numbers: run tests/project/readme_numbers.sh --write"
+    fi
+  done
+  if [[ $readme == chapters/* ]]; then  # every line is on one of the pages
+    for file in "$numbers"/numbers.md "$numbers"/difference.md; do
+      [[ -e $file ]] || continue
+      missing=$(grep . "$file" | grep -vxFf <(cat "${pages[@]}") || true)
+      [[ -z $missing ]] || wrong "$readme: no place for these lines of $file:"$'\n'"$missing"
+    done
   fi
-  if [[ ${1:-} == --write ]]; then
-    printf '%s\n' "$wanted" >"$readme"
-  elif ! printf "%s\n" "$wanted" | diff - "$readme"; then
-    echo "$readme differs from $numbers: run tests/project/readme_numbers.sh --write"
-    failed=$((failed + 1))
-    continue
-  fi
-  passed=$((passed + 1))
+  ((failed > before)) || passed=$((passed + 1))
 done
 echo "$passed passed, $failed failed"
 [[ $failed == 0 ]]

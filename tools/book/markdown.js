@@ -28,6 +28,7 @@ function readPage({ tokens, env: page }) {
   const slugger = new GithubSlugger();
   page.headings = [];
   page.sections = [{ id: "", title: "", text: "" }];
+  if (page.chapter) readSignposts(tokens, page);
   let line = 1;
   tokens.forEach((token, i) => {
     if (token.map) line = token.map[0] + 1;
@@ -42,7 +43,6 @@ function readPage({ tokens, env: page }) {
       else page.sections.at(-1).text += `${text} `;
     }
   });
-  if (page.chapter && endsWithNeighbours(tokens)) tokens.splice(-3);
   figures(tokens, page);
   tables(tokens);
   linkCases(tokens, page);
@@ -60,11 +60,26 @@ function readHeading(token, text, page, slugger) {
   else page.sections.push({ id, title: text, text: "" });
 }
 
-/// Whether the last line of a page names its neighbours and nothing else: the book has links of its own there.
-function endsWithNeighbours(tokens) {
-  const last = tokens.at(-2)?.children ?? [];
-  const besides = last.filter((child, i) => child.type === "text" && last[i - 1]?.type !== "link_open");
-  return last[0]?.type === "link_open" && !/\w/.test(besides.map((child) => child.content).join(""));
+/// Takes two lines out of a chapter's page, which the layout shows in its own way: the one below the title, which says where the page
+/// stands, and the last one, which names its neighbours. `page.place`, `page.foot`: their links, {text, href}.
+function readSignposts(tokens, page) {
+  page.foot = linksAlone(tokens.at(-2), page);
+  if (page.foot.length) tokens.splice(-3);
+  const head = linksAlone(tokens[4], page);
+  if (head.length !== 1) return;
+  [page.place] = head;
+  tokens.splice(3, 3);
+}
+
+/// The links of a paragraph that holds links and no other words; none of any other paragraph.
+function linksAlone(paragraph, page) {
+  const all = paragraph?.children ?? [];
+  const besides = all.filter((child, i) => child.type === "text" && all[i - 1]?.type !== "link_open");
+  if (/\w/.test(besides.map((child) => child.content).join(""))) return [];
+  const links = all.flatMap((child, i) =>
+    child.type === "link_open" ? [{ open: child, text: all[i + 1].content }] : [],
+  );
+  return links.map(({ open, text }) => ({ text, href: page.target(open.attrGet("href"), paragraph.map[0] + 1) }));
 }
 
 function readInline(token, page, line) {

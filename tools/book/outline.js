@@ -31,7 +31,7 @@ export function relative(from, to) {
 }
 
 /// [{file, part, chapter, parent, experiment}]: the pages that are read one after the other, and behind each chapter's its exercises
-/// (`parent`). `experiment`: what can be run on the page, where it is compiled for the browser.
+/// (`parent`). A chapter's README.md comes before its other pages. `experiment`: what can be run on the page, where it is compiled for the browser.
 export function outline(root) {
   const has = (file) => fs.existsSync(path.join(root, file));
   const names = (folder) => (has(folder) ? fs.readdirSync(path.join(root, folder)).sort() : []);
@@ -46,6 +46,8 @@ export function outline(root) {
   for (const chapter of names("chapters").filter((name) => /^\d\d_/.test(name))) {
     const parent = `chapters/${chapter}/README.md`;
     add("Chapters", parent, { chapter, experiment: chapter });
+    for (const page of names(`chapters/${chapter}`).filter((name) => name.endsWith(".md") && name !== "README.md"))
+      add("Chapters", `chapters/${chapter}/${page}`, { chapter, experiment: chapter });
     add("Exercises", `chapters/${chapter}/exercise/task.md`, { parent });
     add("Exercises", `chapters/${chapter}/exercise/transfer/task.md`, { parent });
   }

@@ -36,14 +36,15 @@ const missing = {
 };
 
 function described(page, { pictures }) {
-  const { file, part, chapter, live, parent, address, root, title, headings, sections } = page;
-  const html = page.html.replace(/(<h1[^>]*>)(\d\d) /, '$1<span class="number">$2</span> ');
-  const [, number, name = title] = /^(\d\d) (.*)$/.exec(title) ?? [];
+  const { file, part, chapter, live, parent, address, root, title, headings, sections, place } = page;
+  const html = page.html.replace(/(<h1[^>]*>)(\d\d[a-z]?) /, '$1<span class="number">$2</span> ');
+  const [, number, name = title] = /^(\d\d[a-z]?) (.*)$/.exec(title) ?? [];
   const task = /^Exercise \d\d(?:, transfer)?: (.*)$/.exec(title)?.[1];
   const sheet = pictures.find((one) => one.page.file === file && one.kind === "sheet");
   const film = pictures.find(({ kind }) => kind === "film");
   return {
-    ...{ file, part, live, parent, address, root, title, html, number },
+    ...{ file, part, live, parent, address, root, title, html, number, place, foot: page.foot ?? [] },
+    onward: onwardOf(page),
     name: file === "README.md" ? "Front page" : task ? `Exercise: ${task}` : name,
     label: task ? "Exercise" : parent ? "Table" : "",
     sort: chapter ? "chapter" : file === "README.md" ? "front" : "",
@@ -53,6 +54,15 @@ function described(page, { pictures }) {
     description: beginning(sections.find(({ text }) => text.trim())?.text ?? title),
     picture: sheet?.file ?? film?.file.replace(/\.webp$/, "_still.webp"), // of a link to the page
   };
+}
+
+/// The link of a chapter's foot that leads on along the trunk: "Next on the trunk → 11 Substeps", "The trunk and its branches".
+function onwardOf({ foot = [], address }) {
+  const link = foot.find(({ text }) => /trunk/.test(text));
+  if (!link) return undefined;
+  const { text, href } = link;
+  const [label, title] = text.includes(" → ") ? text.split(" → ") : ["Overview", text];
+  return { label, title, href, address: path.posix.join(path.posix.dirname(address), href) };
 }
 
 /// Whole sentences, some 200 characters of them: what is said where a page is linked.

@@ -60,7 +60,7 @@ write_kit(${PROJECT_BINARY_DIR}/package/exercise "${flags}" ${installed})
 foreach(folder common engine chapters)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION include/pushback COMPONENT exercises FILES_MATCHING PATTERN "*.h" PATTERN "task.md")
 endforeach()
-file(GLOB pages CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/chapters/*/README.md ${PROJECT_SOURCE_DIR}/docs/*.md
+file(GLOB pages CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/chapters/*/*.md ${PROJECT_SOURCE_DIR}/docs/*.md
   ${PROJECT_SOURCE_DIR}/docs/figures/* ${PROJECT_SOURCE_DIR}/renders/*/*.png)  # with the pictures that they show
 foreach(page IN LISTS pages)
   get_filename_component(folder ${page} DIRECTORY)
