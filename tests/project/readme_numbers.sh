@@ -16,7 +16,7 @@ else
   scratch=$(mktemp -d)
   trap 'rm -rf "$scratch"' EXIT
   bash tests/project/differences.sh "$scratch"
-  for made in "$scratch"/*/difference.md; do
+  for made in "$scratch"/*/difference*.md; do
     shown=renders/${made#"$scratch/"}
     diff "$made" "$shown" || wrong "$shown differs from what the sources say: run tests/project/readme_numbers.sh --write"
   done
@@ -38,7 +38,7 @@ filled() {
       close(file)
       if (shown != "") print ""
     }
-    /^<!-- [a-z]+\.md(: .*)? -->$/ {
+    /^<!-- [a-z_]+\.md(: .*)? -->$/ {
       print
       print ""
       name = names = $0
@@ -71,7 +71,7 @@ for readme in chapters/[0-9][0-9]_*/README.md docs/accuracy_and_time.md docs/ben
     fi
   done
   if [[ $readme == chapters/* ]]; then  # every line is on one of the pages
-    for file in "$numbers"/numbers.md "$numbers"/difference.md; do
+    for file in "$numbers"/numbers.md "$numbers"/difference*.md; do
       [[ -e $file ]] || continue
       missing=$(grep . "$file" | grep -vxFf <(cat "${pages[@]}") || true)
       [[ -z $missing ]] || wrong "$readme: no place for these lines of $file:"$'\n'"$missing"
