@@ -1,4 +1,4 @@
-/// What the pages say of the hard cases is what the committed table says.
+/// What the pages say of the hard cases is what the committed table says, and times of the study are those of its table.
 ///
 /// A figure on a page is followed by a comment that names where it is from, and nobody sees:
 ///
@@ -10,6 +10,8 @@
 ///   3<!-- peers; nobody -->, or ours, engine, both, nothing: the groups of passed_by
 ///   42<!-- passes; together -->, 3<!-- fails; together -->, 49<!-- cases -->, Forty-nine<!-- cases in words -->,
 ///   Six<!-- cases with joints in words -->, Eighteen<!-- motions in words -->: of the study
+///   38.3<!-- study; chain; by-island/1/1 -->  µs for 1/60 s of a motion, in the study's table, renders/19_accuracy_and_time/study.csv:
+///                                             the median of its plays by that setting of the solvers that divide a step themselves
 /// PUSHBACK_WRITE_FIGURES=1 in the environment writes the figures anew.
 #include <algorithm>
 #include <cctype>
@@ -80,6 +82,21 @@ std::string figure_in(const Table& table, const std::vector<std::string>& mark) 
   return in_short((mark.size() == 4 ? outcome.numbers : outcome.largest)[i], criterion.limit, criterion.unit);
 }
 
+/// Of "study", a motion and a setting.
+std::string figure_of_study(const std::vector<std::string>& mark) {
+  if (mark.size() != 3) return {};
+  static const std::vector<std::string> lines = lines_of(text_of("renders/19_accuracy_and_time/study.csv"));
+  std::string setting = mark[2];
+  std::ranges::replace(setting, '/', ',');
+  const std::string start = mark[1] + ",motion_wide," + setting + ",";
+  const auto line = std::ranges::find_if(lines, [&](const std::string& one) { return one.starts_with(start); });
+  if (line == lines.end()) return {};
+  std::istringstream rest(line->substr(start.size()));
+  std::string error, row_solves, median;
+  std::getline(std::getline(std::getline(rest, error, ','), row_solves, ','), median, ',');
+  return fmt::format("{:.3g}", 1e6 * std::stod(median) / any_motion_named(mark[1]).frames());
+}
+
 /// What should stand before the mark; empty where the mark names nothing.
 std::string figure_of(const std::vector<std::string>& mark) {
   if (mark[0] == "cases") return std::to_string(hard_cases().size());
@@ -91,6 +108,7 @@ std::string figure_of(const std::vector<std::string>& mark) {
       hard_case.scene.fill(world);
       return !world.joints.empty();
     })));
+  if (mark[0] == "study") return figure_of_study(mark);
   if (mark[0] != "peers") return figure_in(ours(), mark);
   if (mark.size() > 2) return figure_in(beside_engines(), {mark.begin() + 1, mark.end()});
   const std::vector<std::string> kinds{"nobody", "ours", "engine", "both", "nothing"};
