@@ -123,7 +123,7 @@ cat >"component chapters/main.cpp" <<END  # what the libraries of chapters 07, 1
 #include "pushback/chapters/07_warm_start/flat.h"
 #include "pushback/engine/direct/best.h"
 #include "pushback/engine/direct/matrix.h"
-#include "pushback/chapters/20_only_what_is_needed/questions.h"
+#include "pushback/engine/islands/scene_questions.h"
 #include "pushback/engine/substeps/crew.h"
 #include "pushback/common/world/situations.h"
 using namespace pushback;
@@ -134,7 +134,7 @@ int main() {
   flat_07::FlatSolver solver;
   for (int i = 0; i < 60; ++i) world.step(solver, Real(1) / 60);
   world.begin_step(Real(1) / 60);
-  return solve_best(problem_of(world)).residual < 1e-9 && Rubbing::in(world).yes ? 0 : 1;
+  return solve_best(problem_of(world)).residual < 1e-9 && NeedsFriction::in(world).yes ? 0 : 1;
 }
 END
 installed chapters "find_package(Pushback REQUIRED COMPONENTS chapters)" \
