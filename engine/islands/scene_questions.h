@@ -1,5 +1,4 @@
-/// Questions that a scene answers before it is simulated, each with a reason: which effects it needs, and which step each of its islands
-/// gets.
+/// Questions about a scene, each answered with a reason: which effects it needs, and which step each of its islands gets.
 ///
 /// The question for an effect is a type, so that code can be selected by the answers at compile time. To add an effect, add its question
 /// here or in its own header, and one word to AllQuestions. `only_if`: another question, earlier in AllQuestions; unless its answer is yes,
@@ -7,6 +6,7 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "pushback/engine/islands/step_classifier.h"

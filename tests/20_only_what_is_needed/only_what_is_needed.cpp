@@ -58,10 +58,10 @@ const NamedSolver& in_substeps() {
 }
 
 /// Which of the questions are answered with yes, as letters.
-template <class... Questions>
-std::string yes_to(const World& world, Questions<Questions...>) {
+template <class... Some>
+std::string yes_to(const World& world, Questions<Some...>) {
   std::string letters;
-  ((letters += Questions::in(world).yes ? "TBRGFJ"[letters.size()] : '-'), ...);
+  ((letters += Some::in(world).yes ? "TBRGFJ"[letters.size()] : '-'), ...);
   return letters;
 }
 

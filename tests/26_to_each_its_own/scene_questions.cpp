@@ -1,13 +1,17 @@
 /// Chapters 20 and 26: which step each island of a scene gets, and why.
 #include "pushback/engine/islands/scene_questions.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/15_limits_motors_springs/motor.h"
+#include "pushback/chapters/26_to_each_its_own/scenes.h"
 #include "pushback/common/world/forces.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/engine/presets.h"
+#include "tests/support/call.h"
 #include "tests/support/catch.h"
 #include "tests/support/with_joints.h"
 #include "tests/support/yardstick.h"
@@ -190,4 +194,17 @@ TEST_CASE("steps: islands with the same answer are one line, others are not") {
   CHECK(is(answers[1], "half steps", 3, {4, 5, 6}));
   CHECK(is(answers[2], "flight", 2, {7, 8}));
   CHECK(steps_of(World{}).empty());
+}
+
+TEST_CASE("steps: chapter 26's page shows those of the yard after 0.6 s") {
+  World yard;
+  to_each_its_own_scenes::Yard{}(yard);
+  Recommended solver;
+  for (int i = 0; i < 36; ++i) yard.step(solver, h);
+  std::string table = "| bodies | islands | step | because |\n| --- | --- | --- | --- |\n";
+  for (const StepAnswer& answer : steps_of(yard, solver, h))
+    table += fmt::format("| {} | {} | {} | {} |\n", answer.bodies.size(), answer.islands, name_of(answer.step),
+                         answer.because);
+  INFO(table);
+  CHECK(contains(text_of("chapters/26_to_each_its_own/README.md"), "\n\n" + table + "\n"));
 }

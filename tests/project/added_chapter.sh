@@ -35,7 +35,7 @@ inline void ball(World& world) {
 
 }  // namespace pushback::trial_scenes
 END
-# The library of chapter 20, which it includes, is linked by that alone, and soon compiled.
+# The engine, which it includes, is linked by that alone.
 cat >"$folder/main.cpp" <<END
 #include "pushback/chapters/03_baumgarte/baumgarte.h"
 #include "pushback/engine/islands/scene_questions.h"
