@@ -20,7 +20,7 @@ void OnlyWhatIsNeeded::step(World& world, Real dt, std::optional<int> sweeps) {
 
 void OnlyWhatIsNeeded::look(const World& world) {
   for (const Force& force : world.forces) check_bodies_of(force, world);
-  everybody_.touching = Touching::in(world).yes;
+  everybody_.touching = NeedsContacts::in(world).yes;
   bodies_ = world.bodies.size();
   forces_ = world.forces.size();
   joints_ = world.joints.size();

@@ -10,24 +10,24 @@
 
 namespace pushback {
 
-/// Whether the answer to `Question` can be yes, if the questions answered yes so far are exactly those of `Called`.
-template <class Question, class Called>
+/// Whether the answer to `Question` can be yes, if the questions answered yes so far are exactly those of `Yes`.
+template <class Question, class Yes>
 constexpr bool possible = true;
-template <class Question, class Called>
+template <class Question, class Yes>
   requires requires { typename Question::only_if; }
-constexpr bool possible<Question, Called> = Called::template has<typename Question::only_if>;
+constexpr bool possible<Question, Yes> = Yes::template has<typename Question::only_if>;
 
-/// Calls `use(CalledFor<...>{})` with the questions whose answer is yes for the scene. Every possible combination is compiled.
+/// Calls `use(Questions<...>{})` with the questions whose answer is yes for the scene. Every possible combination is compiled.
 template <class Use, class... Yes>
-void with_answers(const World&, const Use& use, CalledFor<>, CalledFor<Yes...> called) {
-  use(called);
+void with_answers(const World&, const Use& use, Questions<>, Questions<Yes...> yes) {
+  use(yes);
 }
 template <class Use, class Question, class... Rest, class... Yes>
-void with_answers(const World& world, const Use& use, CalledFor<Question, Rest...>, CalledFor<Yes...>) {
-  if constexpr (possible<Question, CalledFor<Yes...>>) {
-    if (Question::in(world).yes) return with_answers(world, use, CalledFor<Rest...>{}, CalledFor<Yes..., Question>{});
+void with_answers(const World& world, const Use& use, Questions<Question, Rest...>, Questions<Yes...>) {
+  if constexpr (possible<Question, Questions<Yes...>>) {
+    if (Question::in(world).yes) return with_answers(world, use, Questions<Rest...>{}, Questions<Yes..., Question>{});
   }
-  with_answers(world, use, CalledFor<Rest...>{}, CalledFor<Yes...>{});
+  with_answers(world, use, Questions<Rest...>{}, Questions<Yes...>{});
 }
 
 /// A solver reduced to the effects that a scene needs. Each call is one indirect call; the sweeps are compiled as in any solver.
@@ -96,11 +96,12 @@ class FittingSolver : public ForwardingSolver {
   static std::unique_ptr<AnyHolder> holder_for(const World& world, const Full& full) {
     check_solvable(world, full);
     std::unique_ptr<AnyHolder> chosen;
-    const auto choose = [&](auto called) {
-      using Fitting = Only<Full, decltype(called)>;
-      chosen = std::make_unique<Holder<Full, Fitting>>(full, only<decltype(called)>(full));
+    const auto choose = [&](auto yes) {
+      using Fitting = Only<Full, decltype(yes)>;
+      chosen = std::make_unique<Holder<Full, Fitting>>(full, only<decltype(yes)>(full));
     };
-    with_answers(world, choose, CalledFor<Touching, Bouncing, Rubbing, Holding>{}, CalledFor<>{});
+    with_answers(world, choose, Questions<NeedsContacts, NeedsRestitution, NeedsFriction, NeedsJoints>{},
+                 Questions<>{});
     return chosen;
   }
 

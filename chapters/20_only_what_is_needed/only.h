@@ -7,7 +7,7 @@
 #include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/12_soft_contacts/relaxing_solver.h"
 #include "pushback/chapters/13_joints/joints.h"
-#include "pushback/chapters/20_only_what_is_needed/questions.h"
+#include "pushback/engine/islands/scene_questions.h"
 
 namespace pushback {
 
@@ -16,75 +16,75 @@ namespace pushback {
 /// The effect is needed if the answer to one of these questions is yes.
 template <class E>
 struct DependsOn {
-  using questions = CalledFor<Touching>;
+  using questions = Questions<NeedsContacts>;
 };
 template <std::derived_from<Relaxes> E>
 struct DependsOn<E> {
-  using questions = CalledFor<Touching, Holding>;  // joints are relaxed as well
+  using questions = Questions<NeedsContacts, NeedsJoints>;  // joints are relaxed as well
 };
 template <std::derived_from<Joints> E>
 struct DependsOn<E> {
-  using questions = CalledFor<Holding>;
+  using questions = Questions<NeedsJoints>;
 };
 template <std::derived_from<Friction> E>
 struct DependsOn<E> {
-  using questions = CalledFor<Rubbing>;
+  using questions = Questions<NeedsFriction>;
 };
 template <class E>
   requires std::derived_from<E, Restitution> || std::derived_from<E, RestitutionFromSurface> ||
            std::derived_from<E, SequentialImpacts>
 struct DependsOn<E> {
-  using questions = CalledFor<Bouncing>;
+  using questions = Questions<NeedsRestitution>;
 };
 
-template <class Called, class... Questions>
-constexpr bool has_one_of(CalledFor<Questions...>) {
-  return (Called::template has<Questions> || ...);
+template <class Yes, class... Some>
+constexpr bool has_one_of(Questions<Some...>) {
+  return (Yes::template has<Some> || ...);
 }
 
-// ---- Only<FullSolver, CalledFor<Touching, Bouncing>> is FullSolver without Friction ----------------------------------------
+// ---- Only<FullSolver, Questions<NeedsContacts, NeedsRestitution>> is FullSolver without Friction -------------------------
 
-template <class Called, class Kept, class... Rest>
+template <class Yes, class Kept, class... Rest>
 struct Keep {
   using type = Kept;
 };
-template <class Called, template <class...> class SolverOf, class... Kept, class E, class... Rest>
-struct Keep<Called, SolverOf<Kept...>, E, Rest...> {
-  static constexpr bool needed = has_one_of<Called>(typename DependsOn<E>::questions{});
+template <class Yes, template <class...> class SolverOf, class... Kept, class E, class... Rest>
+struct Keep<Yes, SolverOf<Kept...>, E, Rest...> {
+  static constexpr bool needed = has_one_of<Yes>(typename DependsOn<E>::questions{});
   using with = std::conditional_t<needed, SolverOf<Kept..., E>, SolverOf<Kept...>>;
-  using type = typename Keep<Called, with, Rest...>::type;
+  using type = typename Keep<Yes, with, Rest...>::type;
 };
 
-template <class Full, class Called>
+template <class Full, class Yes>
 struct OnlyOf {  // not composed of effects: there is nothing to leave out
   using type = Full;
 };
-template <template <class...> class SolverOf, class... Effects, class Called>
+template <template <class...> class SolverOf, class... Effects, class Yes>
   requires(std::derived_from<SolverOf<Effects...>, Effects> && ...)
-struct OnlyOf<SolverOf<Effects...>, Called> {
-  using type = typename Keep<Called, SolverOf<>, Effects...>::type;
+struct OnlyOf<SolverOf<Effects...>, Yes> {
+  using type = typename Keep<Yes, SolverOf<>, Effects...>::type;
 };
-template <class Full, class Called>
-struct OnlyOf<Substeps<Full>, Called> {
-  using type = Substeps<typename OnlyOf<Full, Called>::type>;
+template <class Full, class Yes>
+struct OnlyOf<Substeps<Full>, Yes> {
+  using type = Substeps<typename OnlyOf<Full, Yes>::type>;
 };
-template <class Full, class Called>
-using Only = typename OnlyOf<Full, Called>::type;
+template <class Full, class Yes>
+using Only = typename OnlyOf<Full, Yes>::type;
 
 /// `full` without the effects that are not needed, with the same settings.
-template <class Called, class Full>
-Only<Full, Called> only(const Full& full);
-template <class Called, class Full>
-Only<Substeps<Full>, Called> only(const Substeps<Full>& full) {
+template <class Yes, class Full>
+Only<Full, Yes> only(const Full& full);
+template <class Yes, class Full>
+Only<Substeps<Full>, Yes> only(const Substeps<Full>& full) {
   const Full& divided = full;
-  return Only<Substeps<Full>, Called>(only<Called>(divided), full.count, full.sweeps);
+  return Only<Substeps<Full>, Yes>(only<Yes>(divided), full.count, full.sweeps);
 }
-template <class Called, class Full>
-Only<Full, Called> only(const Full& full) {
-  if constexpr (std::same_as<Only<Full, Called>, Full>) {
+template <class Yes, class Full>
+Only<Full, Yes> only(const Full& full) {
+  if constexpr (std::same_as<Only<Full, Yes>, Full>) {
     return full;
   } else {
-    Only<Full, Called> left;
+    Only<Full, Yes> left;
     [&]<template <class...> class SolverOf, class... Left>(SolverOf<Left...>& its) {
       ((static_cast<Left&>(its) = static_cast<const Left&>(full)), ...);
     }(left);

@@ -81,8 +81,9 @@ void IslandSolver::classify(World& world, bool too_many_meetings, Real dt) {
   for (const Body& body : world.bodies) {
     if (step_of(body.index) != StepType::half_steps) continue;
     const int island = classifier_.island_of(body.index);
-    if (memory_[std::size_t(island)].waits > 0 || !budgets_.can_pay(island, classifier_, budget))
-      classifier_.leave_to_substeps(body.index);
+    if (memory_[std::size_t(island)].waits > 0) classifier_.leave_to_substeps(body.index, StepReason::failed_before);
+    else if (!budgets_.can_pay(island, classifier_, budget))
+      classifier_.leave_to_substeps(body.index, StepReason::no_savings);
   }
   islands_.divide(world, classifier_, contacts_.found);
 }
@@ -174,7 +175,7 @@ void IslandSolver::fall_back(const World& world) {
       continue;
     }
     for (const int body : island.bodies())
-      if (world.body(body).movable()) classifier_.leave_to_substeps(body);
+      if (world.body(body).movable()) classifier_.leave_to_substeps(body, StepReason::failed);
   }
   budgets_.share_out(world, classifier_, budget);
 }

@@ -10,8 +10,6 @@ namespace pushback {
 
 namespace {
 
-constexpr Real too_deep =
-    Real(5e-3);  // m: half steps resolve a tenth of an overlap in a hundredth of a second, and only against gravity
 constexpr Real along = Real(1e-6);  // of a belt's speed, at right angles to the face: rounding
 constexpr Real apart = Real(1e-6);  // m: a nearer pair touches already
 
@@ -77,12 +75,13 @@ void StepClassifier::classify(const World& world, const Contacts& contacts, Real
   islands_.join(contacts, world);
   islands_.join(world.joints, world);
   by_island_.assign(all_.size(), {});
-  step_of_.resize(all_.size(), StepType::none);
+  reasons_.resize(all_.size(), StepReason::none);
   read_contacts(world, contacts, dt, threshold);
   read_joints(world);
   read_bodies(world, limits.turn / dt);
   for (const Body& body : world.bodies)
-    step_of_[std::size_t(body.index)] = body.movable() ? step_for(at(island_of(body.index)), limits) : StepType::none;
+    reasons_[std::size_t(body.index)] =
+        body.movable() ? reason_for(at(island_of(body.index)), limits) : StepReason::none;
 }
 
 void StepClassifier::read_contacts(const World& world, const Contacts& contacts, Real dt, Real threshold) {
@@ -102,9 +101,10 @@ void StepClassifier::read_contacts(const World& world, const Contacts& contacts,
     const auto [a, b] = world.bodies_of(*first);
     const Body& ground = a.movable() ? b : a;
     if (ground.movable()) return;
-    island.refused |= std::any_of(first, end, [&ground](const Contact& at) { return turns_or_pushes(ground, at); });
+    if (std::any_of(first, end, [&ground](const Contact& at) { return turns_or_pushes(ground, at); }))
+      island.refuse(StepReason::moving_surface, ground.index);
     const Vec3 goes = ground.conveys ? Vec3::Zero() : ground.velocity;
-    island.refused |= island.ground_velocity.value_or(goes) != goes;  // as in a press
+    if (island.ground_velocity.value_or(goes) != goes) island.refuse(StepReason::unequal_grounds, ground.index);
     island.ground_velocity = goes;
   });
   each_pair([&](Island& island, auto first, auto end) {
@@ -113,7 +113,7 @@ void StepClassifier::read_contacts(const World& world, const Contacts& contacts,
     int acting = 0;
     for (; first != end; ++first) {
       const Real gap = -first->depth, approach = -separating_speed(world, *first);
-      island.refused |= -gap > too_deep;
+      if (-gap > too_deep) island.refuse(StepReason::deep_overlap);
       island.impact |= first->ahead;  // they meet elsewhere than where they are nearest
       island.overlap += std::max(Real(0), -gap);
       island.deepest = std::max(island.deepest, -gap);
@@ -147,31 +147,42 @@ void StepClassifier::read_joints(const World& world) {
     if (!a.movable() && !b.movable()) continue;
     Island& island = of_movable(a, b);
     ++island.joints;
-    island.refused = island.refused || loops[i] || !rigid(world, joint, equations);
+    if (island.refused != StepReason::none) continue;
+    if (loops[i]) island.refuse(StepReason::joint_loop, static_cast<int>(i));
+    else if (!rigid(world, joint, equations)) island.refuse(StepReason::joint_not_rigid, static_cast<int>(i));
   }
 }
 
 void StepClassifier::read_bodies(const World& world, Real turn) {
-  for (const Force& force : world.forces)
-    for (const int body : force.bodies.empty() ? all_ : force.bodies) at(island_of(body)).refused = true;
+  for (std::size_t i = 0; i < world.forces.size(); ++i) {
+    const std::vector<int>& bodies = world.forces[i].bodies;
+    for (const int body : bodies.empty() ? all_ : bodies)
+      at(island_of(body)).refuse(StepReason::applied_force, static_cast<int>(i));
+  }
   for (const Body& body : world.bodies) {
     if (!body.movable()) continue;
     Island& island = at(island_of(body.index));
-    island.refused |= body.asleep;
-    island.turns |= body.angular_velocity.norm() > turn;
+    if (body.asleep) island.refuse(StepReason::asleep, body.index);
+    if (island.turning < 0 && body.angular_velocity.norm() > turn) island.turning = body.index;
     island.kept &= step_of(body.index) == StepType::half_steps;
   }
 }
 
-StepType StepClassifier::step_for(Island& island, const ClassifierLimits& limits) {
-  if (island.refused) return StepType::substeps;
-  if (island.near == 0) return island.joints == 0 ? StepType::flight : StepType::half_steps;
-  const bool many = island.contacts > (island.kept ? limits.most_kept : limits.most);
-  if (island.joints > 0) return many ? StepType::substeps : StepType::half_steps;
-  island.many = many;
-  const bool balls_meet = island.impact && island.contacts == island.pairs && island.contacts <= limits.most_meeting;
-  const bool calm = !island.impact && !island.turns;
-  return !island.many || calm || balls_meet ? StepType::half_steps : StepType::substeps;
+StepReason StepClassifier::reason_for(Island& island, const ClassifierLimits& limits) {
+  if (island.refused != StepReason::none) return island.refused;
+  if (island.near == 0) return island.joints == 0 ? StepReason::no_contact : StepReason::rigid_joints;
+  island.limit = island.kept ? limits.most_kept : limits.most;
+  const bool many = island.contacts > island.limit;
+  if (!many) return StepReason::few_contacts;
+  if (island.joints > 0) return StepReason::contacts_and_joints;
+  island.many = true;
+  if (island.impact && island.contacts == island.pairs && island.contacts <= limits.most_meeting) {
+    island.limit = limits.most_meeting;
+    return StepReason::single_contacts;
+  }
+  if (island.impact) return StepReason::impact;
+  island.cause = island.turning;
+  return island.turning < 0 ? StepReason::resting_contacts : StepReason::fast_turn;
 }
 
 }  // namespace pushback

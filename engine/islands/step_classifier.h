@@ -1,6 +1,7 @@
 /// The step that each island of a world gets.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -16,6 +17,38 @@ enum class StepType {
   substeps,    ///< chapter 22's: everything else
 };
 
+/// Why an island gets its step. scene_questions.h puts it into words.
+enum class StepReason : std::uint8_t {
+  none,  ///< the body is immovable
+  // flight
+  no_contact,  ///< nothing touches or holds the body
+  // half steps
+  rigid_joints,      ///< joints that form a tree, and no pair of bodies is near
+  few_contacts,      ///< with such joints or without
+  resting_contacts,  ///< many, but none is an impact, and no body turns fast
+  single_contacts,   ///< many, but the bodies meet in one point each, such as balls
+  // substeps, because of what an island contains
+  applied_force,        ///< a Force may act
+  joint_loop,           ///< joints that form a loop
+  joint_not_rigid,      ///< a limit, a motor or a spring
+  asleep,               ///< a body sleeps
+  moving_surface,       ///< an immovable body turns, or its surface does not move along its face
+  unequal_grounds,      ///< immovable bodies move at different velocities, as in a press
+  deep_overlap,         ///< deeper than half steps resolve soon
+  contacts_and_joints,  ///< many contacts, and joints
+  impact,               ///< many contacts, of which one is an impact
+  fast_turn,            ///< many contacts, and a body turns fast
+  // substeps, because of half steps that were or would be tried
+  no_savings,    ///< many contacts, and no savings to pay for half steps
+  failed,        ///< half steps failed in this step
+  failed_before  ///< and in an earlier step; they are not tried again yet
+};
+constexpr StepType type_of(StepReason reason) {
+  if (reason == StepReason::none) return StepType::none;
+  if (reason == StepReason::no_contact) return StepType::flight;
+  return reason < StepReason::applied_force ? StepType::half_steps : StepType::substeps;
+}
+
 /// The limits between few contacts and many.
 struct ClassifierLimits {
   int most = 8;  ///< contacts that touch, or may within the step: an island with no more gets half steps at any price
@@ -28,20 +61,20 @@ struct ClassifierLimits {
 /// m: how far the tips of a body may get in dt as it turns.
 Real way_of_tips(const Body& body, Real dt);
 
-/// Bodies that may touch in this step, or are joined, form an island (chapter 20). It gets
-///
-///   flight       if it is one body without a contact
-///   half steps   if it has contacts, or rigid joints that form a tree, or few contacts and such joints
-///   substeps     otherwise: if many bodies meet or turn fast, a Force may act, a body sleeps, the ground turns or moves in two ways, or
-///                contacts overlap by more than half steps resolve soon
+/// Bodies that may touch in this step, or are joined, form an island (chapter 20). Its contents give the StepReason, and the reason the step.
 class StepClassifier {
  public:
+  /// m: half steps resolve a tenth of an overlap in a hundredth of a second, and only against gravity.
+  static constexpr Real too_deep = Real(5e-3);
+
   /// `contacts`: all within the margin, ascending. A contact that approaches faster than `threshold`, m/s, and may close within dt is an
   /// impact.
   void classify(const World& world, const Contacts& contacts, Real dt, Real threshold, const ClassifierLimits& limits);
   /// None for a body that `classify` did not see.
-  StepType step_of(int body) const {
-    return std::size_t(body) < step_of_.size() ? step_of_[std::size_t(body)] : StepType::none;
+  StepType step_of(int body) const { return type_of(reason_of(body)); }
+  /// The reason for this step.
+  StepReason reason_of(int body) const {
+    return std::size_t(body) < reasons_.size() ? reasons_[std::size_t(body)] : StepReason::none;
   }
   /// The lowest body of the island. The functions below take it as `island`.
   int island_of(int body) { return islands_.island_of(body); }
@@ -58,8 +91,12 @@ class StepClassifier {
   /// Contacts that may act in this step, and whether they are many.
   int contacts(int island) const { return at(island).contacts; }
   bool many_contacts(int island) const { return at(island).many; }
+  /// The limit that they were compared with; 0 in a step whose bodies have met others too often.
+  int contact_limit(int island) const { return at(island).limit; }
+  /// The index of the force, joint or body that the reason names.
+  int cause(int island) const { return at(island).cause; }
   /// For a body that half steps could not move, or not at this price.
-  void leave_to_substeps(int body) { step_of_[std::size_t(body)] = StepType::substeps; }
+  void leave_to_substeps(int body, StepReason reason) { reasons_[std::size_t(body)] = reason; }
 
  private:
   struct Island {
@@ -68,8 +105,16 @@ class StepClassifier {
     int joints = 0;
     Real overlap = 0, deepest = 0;        // m
     std::optional<Vec3> ground_velocity;  // m/s: of everything immovable that is near
-    bool impact = false, refused = false, many = false, turns = false;
-    bool kept = true;  // all of its bodies had half steps in the step before
+    bool impact = false, many = false;
+    bool kept = true;                       // all of its bodies had half steps in the step before
+    StepReason refused = StepReason::none;  // the first reason why half steps cannot move it
+    int turning = -1;                       // the first body that turns fast
+    int cause = -1;
+    int limit = 0;  // of its contacts
+
+    void refuse(StepReason why, int of = -1) {
+      if (refused == StepReason::none) refused = why, cause = of;
+    }
   };
   Island& at(int island) { return by_island_[std::size_t(island)]; }
   const Island& at(int island) const { return by_island_[std::size_t(island)]; }
@@ -77,12 +122,12 @@ class StepClassifier {
   void read_contacts(const World& world, const Contacts& contacts, Real dt, Real threshold);
   void read_joints(const World& world);
   void read_bodies(const World& world, Real turn);  // rad/s
-  static StepType step_for(Island& island, const ClassifierLimits& limits);
+  static StepReason reason_for(Island& island, const ClassifierLimits& limits);
 
   Islands islands_;
-  std::vector<int> all_;           // bodies
-  std::vector<Island> by_island_;  // of each body that is the lowest of its island
-  std::vector<StepType> step_of_;  // of each body
+  std::vector<int> all_;             // bodies
+  std::vector<Island> by_island_;    // of each body that is the lowest of its island
+  std::vector<StepReason> reasons_;  // of each body
 };
 
 }  // namespace pushback

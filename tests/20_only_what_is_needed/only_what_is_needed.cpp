@@ -58,10 +58,10 @@ const NamedSolver& in_substeps() {
 }
 
 /// Which of the questions are answered with yes, as letters.
-template <class... Questions>
-std::string yes_to(const World& world, CalledFor<Questions...>) {
+template <class... Some>
+std::string yes_to(const World& world, Questions<Some...>) {
   std::string letters;
-  ((letters += Questions::in(world).yes ? "TBRGFJ"[letters.size()] : '-'), ...);
+  ((letters += Some::in(world).yes ? "TBRGFJ"[letters.size()] : '-'), ...);
   return letters;
 }
 
@@ -94,7 +94,7 @@ std::map<std::string, int> play_seeds(const NamedSolver& full, std::uint64_t fir
   std::map<std::string, int> occurred;
   for (std::uint64_t seed = first; seed <= last; ++seed) {
     const RandomScene scene = varied_scene(seed);
-    ++occurred[yes_to(scene.world, EveryQuestion{})];
+    ++occurred[yes_to(scene.world, AllQuestions{})];
     INFO("seed " << seed);
     REQUIRE(first_difference(scene.world, full, full.solver, scene.dt, steps) == -1);
   }
@@ -114,26 +114,28 @@ Body unit_cube() {
 
 // ---- at compile time -----------------------------------------------------------------------------------------------------
 
-static_assert(std::same_as<Only<FullSolver, EveryQuestion>, FullSolver>);
-static_assert(std::same_as<Only<FullSolver, CalledFor<Touching>>, Solver<Clamping, Baumgarte, Slop, WarmStart>>);
-static_assert(std::same_as<Only<FullSolver, CalledFor<Touching, Bouncing>>,
+static_assert(std::same_as<Only<FullSolver, AllQuestions>, FullSolver>);
+static_assert(std::same_as<Only<FullSolver, Questions<NeedsContacts>>, Solver<Clamping, Baumgarte, Slop, WarmStart>>);
+static_assert(std::same_as<Only<FullSolver, Questions<NeedsContacts, NeedsRestitution>>,
                            Solver<Clamping, Baumgarte, Slop, Restitution, WarmStart>>);
-static_assert(std::same_as<Only<FullSolver, CalledFor<Touching, Rubbing, Tumbling>>,
+static_assert(std::same_as<Only<FullSolver, Questions<NeedsContacts, NeedsFriction, NeedsGyroscopicTerm>>,
                            Solver<Clamping, Baumgarte, Slop, Friction, WarmStart>>);
-static_assert(std::same_as<Only<FullSolver, CalledFor<Tumbling, Pulling>>, Solver<>>);
-static_assert(
-    std::same_as<Only<SteadySolver, CalledFor<Touching>>, RelaxingSolver<Clamping, SoftContacts, ScaledWarmStart>>);
-static_assert(std::same_as<Only<SteadySolver, CalledFor<Touching, Bouncing>>,
+static_assert(std::same_as<Only<FullSolver, Questions<NeedsGyroscopicTerm, NeedsAppliedForces>>, Solver<>>);
+static_assert(std::same_as<Only<SteadySolver, Questions<NeedsContacts>>,
+                           RelaxingSolver<Clamping, SoftContacts, ScaledWarmStart>>);
+static_assert(std::same_as<Only<SteadySolver, Questions<NeedsContacts, NeedsRestitution>>,
                            RelaxingSolver<Clamping, SoftContacts, SimultaneousImpacts, ScaledWarmStart>>);
-static_assert(std::same_as<Only<SteadySolver, CalledFor<Touching, Rubbing>>,
+static_assert(std::same_as<Only<SteadySolver, Questions<NeedsContacts, NeedsFriction>>,
                            RelaxingSolver<Clamping, SoftContacts, FrictionCone, ScaledWarmStart>>);
-static_assert(std::same_as<Only<Solver<Clamping, SequentialImpacts>, CalledFor<Touching>>, Solver<Clamping>>);
-static_assert(std::same_as<Only<JointedSolver, EveryQuestion>, JointedSolver>);
-static_assert(std::same_as<Only<JointedSolver, CalledFor<Touching, Bouncing, Rubbing>>, FullSolver>);
-static_assert(std::same_as<Only<JointedSolver, CalledFor<Holding>>, Solver<SplitJoints>>);
-static_assert(std::same_as<Only<Solver<Joints, Clamping>, CalledFor<Touching, Holding>>, Solver<Joints, Clamping>>);
-static_assert(std::same_as<Only<SteadyJointedSolver, CalledFor<Holding>>, RelaxingSolver<SteadyJoints, SoftContacts>>);
-static_assert(std::same_as<Only<NaiveAveraged, CalledFor<>>, NaiveAveraged>);
+static_assert(std::same_as<Only<Solver<Clamping, SequentialImpacts>, Questions<NeedsContacts>>, Solver<Clamping>>);
+static_assert(std::same_as<Only<JointedSolver, AllQuestions>, JointedSolver>);
+static_assert(std::same_as<Only<JointedSolver, Questions<NeedsContacts, NeedsRestitution, NeedsFriction>>, FullSolver>);
+static_assert(std::same_as<Only<JointedSolver, Questions<NeedsJoints>>, Solver<SplitJoints>>);
+static_assert(
+    std::same_as<Only<Solver<Joints, Clamping>, Questions<NeedsContacts, NeedsJoints>>, Solver<Joints, Clamping>>);
+static_assert(
+    std::same_as<Only<SteadyJointedSolver, Questions<NeedsJoints>>, RelaxingSolver<SteadyJoints, SoftContacts>>);
+static_assert(std::same_as<Only<NaiveAveraged, Questions<>>, NaiveAveraged>);
 
 // ---- the same bits -------------------------------------------------------------------------------------------------------
 
@@ -182,39 +184,39 @@ TEST_CASE("a zero with a minus sign stays as it would") {
 TEST_CASE("each question has its answers, and says because of whom") {
   World world;
   const auto because = [&world](auto question) { return decltype(question)::in(world).because; };
-  const auto called = [&world] { return yes_to(world, EveryQuestion{}); };
+  const auto called = [&world] { return yes_to(world, AllQuestions{}); };
   CHECK(called() == "------");  // an empty world
-  CHECK(because(Touching{}) == "nothing can move");
+  CHECK(because(NeedsContacts{}) == "nothing can move");
   world.add(sphere(1, 1).bouncy(1).rough(1));
   CHECK(called() == "------");  // one body: with whom?
-  CHECK(because(Touching{}) == "there is one body only");
+  CHECK(because(NeedsContacts{}) == "there is one body only");
 
   world.add(ground().rough(0));
   CHECK(called() == "TB----");
-  CHECK(because(Touching{}) == "2 bodies, of which 1 can move");
-  CHECK(because(Bouncing{}) == "e = 1 between ball 0 and plane 1");
+  CHECK(because(NeedsContacts{}) == "2 bodies, of which 1 can move");
+  CHECK(because(NeedsRestitution{}) == "e = 1 between ball 0 and plane 1");
   world.bodies[1].rough(Real(0.36));
   CHECK(called() == "TBR---");
-  CHECK(because(Rubbing{}) == "μ = 0.6 between ball 0 and plane 1");
+  CHECK(because(NeedsFriction{}) == "μ = 0.6 between ball 0 and plane 1");
   world.bodies[0].rough(0).bouncy(0);
   CHECK(called() == "T-----");
 
   world.add(unit_cube().fixed().bouncy(Real(0.5)).rough(1));  // it does not meet the ground
   CHECK(called() == "TB----");
   world.add(unit_cube().rough(Real(0.25)));
-  CHECK(because(Rubbing{}) == "μ = 0.5 between box 3 and box 2");
+  CHECK(because(NeedsFriction{}) == "μ = 0.5 between box 3 and box 2");
   world.add(box({1, 2, 1}, 1).fixed());  // no inertia at all
   CHECK(called() == "TBR---");
   world.add(capsule(1, 1, 1));
-  CHECK(because(Tumbling{}) == "the inertia of capsule 5 differs from axis to axis");
+  CHECK(because(NeedsGyroscopicTerm{}) == "the inertia of capsule 5 differs from axis to axis");
   CHECK(called() == "TBRG--");
 
   world.bodies[3].torque = {0, 1, 0};
-  CHECK(because(Pulling{}) == "a force on box 3");
+  CHECK(because(NeedsAppliedForces{}) == "a force on box 3");
   world.forces.push_back(spring(5, Vec3::Zero(), 1));
-  CHECK(because(Pulling{}) == "a spring on capsule 5");
+  CHECK(because(NeedsAppliedForces{}) == "a spring on capsule 5");
   world.forces = {{[](World&) {}, "wind"}};
-  CHECK(because(Pulling{}) == "wind");
+  CHECK(because(NeedsAppliedForces{}) == "wind");
   CHECK(called() == "TBRGF-");
   for (const std::size_t body : {0, 3, 5}) world.bodies[body].fixed();
   CHECK(called() == "----F-");
@@ -283,7 +285,7 @@ TEST_CASE("settings and memory outlive each change of the scene, to the bit") {
     change(whole);
     change(fitted);
     if (by_hand) solver.fit(fitted);
-    CHECK(yes_to(fitted, EveryQuestion{}) == called);
+    CHECK(yes_to(fitted, AllQuestions{}) == called);
     for (int i = 0; i < 60; ++i) {
       INFO(called << ", step " << i);
       whole.step(full, h);

@@ -69,17 +69,17 @@ TEST_CASE("calls: one that is near the limit stays what it is") {
   };
   // Many contacts that were left to substeps stay many until there are few.
   CHECK(many(9));
-  calls.leave_to_substeps(1);
+  calls.leave_to_substeps(1, StepReason::failed);
   CHECK(many(12));
-  calls.leave_to_substeps(1);
+  calls.leave_to_substeps(1, StepReason::failed);
   for (const int contacts : {8, 9, 12, 9, 12}) {
     CAPTURE(contacts);
     CHECK_FALSE(many(contacts));
   }
   CHECK(many(13));
-  calls.leave_to_substeps(1);
+  calls.leave_to_substeps(1, StepReason::failed);
   CHECK(many(12));
-  calls.leave_to_substeps(1);
+  calls.leave_to_substeps(1, StepReason::failed);
   CHECK_FALSE(many(8));
 }
 
@@ -91,7 +91,7 @@ TEST_CASE(
   find(calls, world, {});
   CHECK(calls.step_of(1) == StepType::half_steps);
   CHECK_FALSE(calls.near(1));
-  calls.leave_to_substeps(1);
+  calls.leave_to_substeps(1, StepReason::failed);
   const auto call = [&](int contacts) {
     find(calls, world, below_the_first(contacts));
     CHECK(calls.near(1));
@@ -113,7 +113,7 @@ TEST_CASE("calls: many contacts have half steps while nothing arrives and nothin
   const auto call = [&](int contacts, Real turn, Real arrives) {
     world.bodies[1].angular_velocity = {0, turn / h, 0};
     world.bodies[1].velocity = {0, -arrives, 0};
-    calls.leave_to_substeps(1);
+    calls.leave_to_substeps(1, StepReason::failed);
     find(calls, world, below_the_first(contacts, -Real(1e-4)));
     return calls.step_of(1);
   };

@@ -35,10 +35,10 @@ inline void ball(World& world) {
 
 }  // namespace pushback::trial_scenes
 END
-# The library of chapter 20, which it includes, is linked by that alone, and soon compiled.
+# The engine, which it includes, is linked by that alone.
 cat >"$folder/main.cpp" <<END
 #include "pushback/chapters/03_baumgarte/baumgarte.h"
-#include "pushback/chapters/20_only_what_is_needed/questions.h"
+#include "pushback/engine/islands/scene_questions.h"
 #include "pushback/chapters/$name/scenes.h"
 #include "pushback/common/experiment/experiment.h"
 
@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
     e.variant("held", Solver<Clamping>{});
     e.variant("pushed out", Solver<Clamping, Baumgarte>{});
     e.number("speed at the end", "m/s", [](const Run& run) { return run.world.bodies[1].velocity.norm(); });
-    e.number("friction is called for", "", [](const Run& run) { return Rubbing::in(run.world).yes ? 1 : 0; });
+    e.number("friction is called for", "", [](const Run& run) { return NeedsFriction::in(run.world).yes ? 1 : 0; });
   });
 }
 END

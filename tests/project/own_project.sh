@@ -121,9 +121,9 @@ grep -q '^| .* recommended | ' renders/my_experiment/numbers.md || wrong "its pr
 mkdir "component chapters"
 cat >"component chapters/main.cpp" <<END  # what the libraries of chapters 07, 16, 17, 20 and 23 have to say of a stack
 #include "pushback/chapters/07_warm_start/flat.h"
+#include "pushback/chapters/20_only_what_is_needed/dispatch.h"
 #include "pushback/engine/direct/best.h"
 #include "pushback/engine/direct/matrix.h"
-#include "pushback/chapters/20_only_what_is_needed/questions.h"
 #include "pushback/engine/substeps/crew.h"
 #include "pushback/common/world/situations.h"
 using namespace pushback;
@@ -134,10 +134,13 @@ int main() {
   flat_07::FlatSolver solver;
   for (int i = 0; i < 60; ++i) world.step(solver, Real(1) / 60);
   world.begin_step(Real(1) / 60);
-  return solve_best(problem_of(world)).residual < 1e-9 && Rubbing::in(world).yes ? 0 : 1;
+  const auto residual = solve_best(problem_of(world)).residual;
+  OnlyWhatIsNeeded needed(world, Solver<Clamping>{});
+  needed.step(world, Real(1) / 60);
+  return residual < 1e-9 && !needed.rows().empty() ? 0 : 1;
 }
 END
 installed chapters "find_package(Pushback REQUIRED COMPONENTS chapters)" \
   "target_link_libraries(my_program pushback::flat_solver pushback::engine pushback::only_what_is_needed pushback::crew)"
-"$way/build/my_program" || wrong "a stack of three is not solved, or nothing rubs in it"
+"$way/build/my_program" || wrong "a stack of three is not solved"
 echo "all as expected"

@@ -13,8 +13,8 @@
 #include "pushback/chapters/14_joints_under_load/scenes.h"
 #include "pushback/chapters/14_joints_under_load/warm_joints.h"
 #include "pushback/chapters/15_limits_motors_springs/limits.h"
-#include "pushback/chapters/20_only_what_is_needed/questions.h"
 #include "pushback/engine/direct/direct_joints.h"
+#include "pushback/engine/islands/scene_questions.h"
 #include "pushback/tools/measure/hard_cases/hard_case.h"
 #include "tests/support/catch.h"
 #include "tests/support/joint_jacobian.h"
@@ -403,7 +403,7 @@ static_assert(std::derived_from<Hanging, HoldsJoints> && std::derived_from<Touch
 namespace {
 
 /// Is there gravity?
-struct Falling {
+struct NeedsGravity {
   static constexpr const char* name = "gravity";
   static Answer in(const World& world) {
     if (world.gravity.isZero(0)) return {false, "gravity is 0"};
@@ -415,10 +415,10 @@ struct Falling {
 
 TEST_CASE("exercise 20.3: a scene says whether it has gravity") {
   World world;
-  CHECK(Falling::in(world).yes);
-  CHECK(std::string(Falling::name) == "gravity");
+  CHECK(NeedsGravity::in(world).yes);
+  CHECK(std::string(NeedsGravity::name) == "gravity");
   world.gravity.setZero();
-  CHECK_FALSE(Falling::in(world).yes);
+  CHECK_FALSE(NeedsGravity::in(world).yes);
 }
 
 // ---- docs/hard_cases.md: a case more -----------------------------------------------------------------------------------

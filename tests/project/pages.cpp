@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "pushback/chapters/01_velocity_constraint/row.h"
-#include "pushback/chapters/20_only_what_is_needed/questions.h"
+#include "pushback/engine/islands/scene_questions.h"
 #include "pushback/tools/catalogue/catalogue.h"
 #include "tests/support/call.h"
 
@@ -22,7 +22,7 @@ TEST_CASE("chapter 20's page counts the scenes and those that call for joints") 
   for (const NamedScene& scene : scenes) {
     World world;
     scene.fill(world);
-    if (Holding::in(world).yes) jointed.push_back(scene.name);
+    if (NeedsJoints::in(world).yes) jointed.push_back(scene.name);
   }
   const auto of_joints = std::count_if(jointed.begin(), jointed.end(), [](const std::string& name) {
     return name.starts_with("13-") || name.starts_with("14-") || name.starts_with("15-");
@@ -34,6 +34,16 @@ TEST_CASE("chapter 20's page counts the scenes and those that call for joints") 
       "Of {} scenes, the {} of chapters 13 to 15 and the chain of 18 call for joints", scenes.size(), of_joints);
   INFO(sentence);
   CHECK(contains(page, sentence));
+}
+
+TEST_CASE("chapter 20's page shows what ./course effects prints") {
+  const std::string page = text_of(fs::path(SOURCE_DIR) / "chapters/20_only_what_is_needed/README.md");
+  for (const std::string scene : {"20-ice", "15-swing"}) {
+    const Ended ended = call_program(EFFECTS_PROGRAM, scene);
+    REQUIRE(ended.status == 0);
+    INFO(ended.out);
+    CHECK(contains(page, "```\n$ ./course effects " + scene + "\n" + ended.out + "```\n"));
+  }
 }
 
 TEST_CASE("docs/speed.md has the bytes of a contact and of a row") {

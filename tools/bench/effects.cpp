@@ -90,7 +90,7 @@ void indirect_calls(benchmark::State& state) {
   world.gravity.setZero();
   world.add(sphere(Real(0.5), 1).rough(0));
   world.add(sphere(Real(0.5), 1).rough(0).at({9, 0, 0}));
-  using Called = CalledFor<Touching>;
+  using Called = Questions<NeedsContacts>;
   OnlyWhatIsNeeded chosen(world, FullSolver{});
   Only<FullSolver, Called> compiled;
   constexpr int steps = 100;
