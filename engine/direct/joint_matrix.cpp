@@ -38,6 +38,35 @@ std::vector<int> order_of_elimination(const std::vector<JoinedBodies>& joints) {
   return {permutation.indices().data(), permutation.indices().data() + count};
 }
 
+/// Of each joint, its position in the order of elimination.
+std::vector<int> positions_in(const std::vector<int>& order) {
+  std::vector<int> position(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) position[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+  return position;
+}
+
+/// Of each joint, the joints that its elimination changes: its neighbours that are eliminated later, and those that the joints before it
+/// have passed on to it.
+std::vector<std::vector<int>> changed_by_elimination(const std::vector<JoinedBodies>& joints,
+                                                     const std::vector<int>& order, const std::vector<int>& position) {
+  const auto earlier = [&](int i, int j) {
+    return position[static_cast<std::size_t>(i)] < position[static_cast<std::size_t>(j)];
+  };
+  const auto neighbours = neighbours_of(joints);
+  std::vector<std::vector<int>> changed(joints.size());
+  for (const int joint : order) {
+    auto& own = changed[static_cast<std::size_t>(joint)];
+    for (const int other : neighbours[static_cast<std::size_t>(joint)])
+      if (earlier(joint, other)) own.push_back(other);
+    std::sort(own.begin(), own.end(), earlier);
+    own.erase(std::unique(own.begin(), own.end()), own.end());
+    if (own.empty()) continue;
+    auto& next = changed[static_cast<std::size_t>(own.front())];
+    next.insert(next.end(), own.begin() + 1, own.end());
+  }
+  return changed;
+}
+
 /// `act(n)`, with n a constant where it is 3, as for a ball and socket: the loops of the most frequent joint are unrolled.
 template <class Act>
 [[gnu::always_inline]] inline void with_number(int n, const Act& act) {
@@ -62,74 +91,58 @@ void JointMatrix::analyse(const std::vector<Held>& joints) {
   joints_ = joints;
   const std::vector<JoinedBodies> bodies = bodies_of(joints);
   order_ = order_of_elimination(bodies);
-  const std::size_t count = joints.size();
-  std::vector<int> position(count);
-  for (std::size_t k = 0; k < count; ++k) position[static_cast<std::size_t>(order_[k])] = static_cast<int>(k);
-  const auto later = [&](int i, int j) {
-    return position[static_cast<std::size_t>(i)] < position[static_cast<std::size_t>(j)];
-  };
-
-  // The joints that the elimination of each one changes: its later neighbours, and those of the ones that hung from it.
-  const auto neighbours = neighbours_of(bodies);
-  std::vector<std::vector<int>> changed(count);
-  for (const int joint : order_) {
-    auto& own = changed[static_cast<std::size_t>(joint)];
-    for (const int other : neighbours[static_cast<std::size_t>(joint)])
-      if (later(joint, other)) own.push_back(other);
-    std::sort(own.begin(), own.end(), later);
-    own.erase(std::unique(own.begin(), own.end()), own.end());
-    if (own.empty()) continue;
-    auto& next = changed[static_cast<std::size_t>(own.front())];
-    next.insert(next.end(), own.begin() + 1, own.end());
-  }
-
-  columns_.assign(count, {});
-  blocks_.clear();
+  const std::vector<int> position = positions_in(order_);
+  const std::vector<std::vector<int>> changed = changed_by_elimination(bodies, order_, position);
+  lay_out(changed);
   updates_.clear();
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    columns_[i].updates = updates_.size();
+    for (auto p = changed[i].begin(); p != changed[i].end(); ++p)
+      for (auto q = p; q != changed[i].end(); ++q) updates_.push_back(values_at(*q, *p));
+  }
   shared_.clear();
-  std::size_t row = 0, values = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto rows = static_cast<std::size_t>(joints[i].rows);
-    columns_[i].rows = joints[i].rows;
+  for (const auto& [body, here] : joints_of(bodies)) {
+    const auto is_b = [&, which = body](int joint) { return joints[static_cast<std::size_t>(joint)].b == which; };
+    for (const int i : here)
+      for (const int j : here)
+        if (i == j || position[static_cast<std::size_t>(j)] < position[static_cast<std::size_t>(i)])
+          shared_.push_back({i, j, is_b(i), is_b(j), values_at(i, j)});
+  }
+}
+
+/// The columns of L with their blocks, and memory for all of it. `changed`: of each joint, the joints that its elimination changes.
+void JointMatrix::lay_out(const std::vector<std::vector<int>>& changed) {
+  columns_.assign(joints_.size(), {});
+  blocks_.clear();
+  std::size_t row = 0, values = 0, largest = 0;
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const auto rows = static_cast<std::size_t>(joints_[i].rows);
+    columns_[i].rows = joints_[i].rows;
     columns_[i].first = row;
     columns_[i].values = values;
     columns_[i].begin = blocks_.size();
     row += rows;
     values += rows * rows;
+    const std::size_t below = values;
     for (const int other : changed[i]) {
       blocks_.push_back({other, values});
-      values += rows * static_cast<std::size_t>(joints[static_cast<std::size_t>(other)].rows);
+      values += rows * static_cast<std::size_t>(joints_[static_cast<std::size_t>(other)].rows);
     }
     columns_[i].end = blocks_.size();
-  }
-  const auto values_at = [&](int of_row, int of_column) {
-    const Column& column = columns_[static_cast<std::size_t>(of_column)];
-    if (of_row == of_column) return column.values;
-    const auto begin = blocks_.begin() + std::ptrdiff_t(column.begin),
-               end = blocks_.begin() + std::ptrdiff_t(column.end);
-    return std::find_if(begin, end, [of_row](const Block& block) { return block.joint == of_row; })->values;
-  };
-  for (std::size_t i = 0; i < count; ++i) {
-    columns_[i].updates = updates_.size();
-    for (auto p = changed[i].begin(); p != changed[i].end(); ++p)
-      for (auto q = p; q != changed[i].end(); ++q) updates_.push_back(values_at(*q, *p));
-  }
-  for (const auto& [body, here] : joints_of(bodies)) {
-    const auto is_b = [&, which = body](int joint) { return joints[static_cast<std::size_t>(joint)].b == which; };
-    for (const int i : here)
-      for (const int j : here)
-        if (i == j || later(j, i)) shared_.push_back({i, j, is_b(i), is_b(j), values_at(i, j)});
+    largest = std::max(largest, values - below);
   }
   values_.resize(values);
-  std::size_t largest = 0;
-  for (const Column& column : columns_) {
-    std::size_t below = 0;
-    for (std::size_t at = column.begin; at < column.end; ++at) below += std::size_t(column.rows * rows_of(blocks_[at]));
-    largest = std::max(largest, below);
-  }
   before_.resize(largest);
   diagonal_.resize(row);
   inverse_pivots_.resize(row);
+}
+
+/// Where the block of two joints is in values_.
+std::size_t JointMatrix::values_at(int row, int column) const {
+  const Column& own = columns_[static_cast<std::size_t>(column)];
+  if (row == column) return own.values;
+  const auto begin = blocks_.begin() + std::ptrdiff_t(own.begin), end = blocks_.begin() + std::ptrdiff_t(own.end);
+  return std::find_if(begin, end, [row](const Block& block) { return block.joint == row; })->values;
 }
 
 void JointMatrix::assemble(const JointRows& rows) {

@@ -69,6 +69,8 @@ class JointMatrix {
   };
   int rows_of(const Block& block) const { return columns_[static_cast<std::size_t>(block.joint)].rows; }
   void analyse(const std::vector<Held>& joints);
+  void lay_out(const std::vector<std::vector<int>>& changed);
+  std::size_t values_at(int row, int column) const;
   void assemble(const JointRows& rows);
   void eliminate(const Column& column, const JointRows& rows, const std::vector<char>& taken);
 

@@ -6,13 +6,9 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 
 #include "pushback/engine/direct/trees_directly.h"
-#include "pushback/engine/substeps/bundle.h"
-#include "pushback/engine/substeps/colours.h"
-#include "pushback/engine/substeps/floating.h"
-#include "pushback/engine/substeps/rides.h"
+#include "pushback/engine/substeps/contact_bundles.h"
 #include "pushback/engine/substeps/substepping_solver.h"
 
 namespace pushback {
@@ -65,12 +61,6 @@ class Wide : public SubsteppingSolver {
   void write_back(Contact& contact, std::size_t i) const;
 
  private:
-  struct Place {  // of a contact of the world
-    std::size_t bundle, contact, lane;
-  };
-  std::size_t place_of(World& world, std::size_t body);
-  void lay_out(const Sets& sets);
-  void pack(const World& world, std::size_t at, std::span<const PairOfBodies> pairs);
   Bundles<Scalar> bundles(std::size_t begin, std::size_t end);
   template <class Act>
   void each_body(const Act& act);
@@ -82,30 +72,20 @@ class Wide : public SubsteppingSolver {
   Scalar largest_in(std::size_t begin, std::size_t end, const Act& act);
   void sweep(StepContext& step, void (*friction_pass)(const Bundles<Scalar>&));
   void place_rows();
-  void measure_reaches(const World& world);
   void forget_impacts();
   Solved measure() const;
 
-  Workers* at_work_ = &alone();      // in this step
-  std::vector<Body*> bodies_;        // those that touch; the last one stands in empty lanes
-  std::vector<std::size_t> places_;  // of each body of the world, in bodies_
-  std::vector<Twist<Scalar>> now_, before_, moved_, given_;
-  std::vector<Bundle<Scalar>> bundles_;
-  std::vector<std::span<const PairOfBodies>> packed_;  // what is in each bundle
-  std::vector<std::size_t> ends_;                      // of each set, in bundles_
-  std::vector<WidePoint<Scalar>> points_;
-  std::vector<WideContact<Scalar>> contacts_;
-  std::vector<Inertia<Scalar>> inertias_;     // of bodies_
-  std::vector<EightVectors<Scalar>> starts_;  // of contacts_
-  std::vector<Place> where_;                  // of each contact of the world
-  std::vector<Scalar> largest_;               // of each part of a pass, what it returned
-  std::optional<Solved> measured_;            // before the impulses of an impact were forgotten
-  bool bouncy_ = false;                       // whether any contact is
-  std::vector<Real> reaches_;                 // of bodies_: their longest arm, m; and the shortest of those that move
-  Real shortest_reach_ = 0;
-  std::vector<bool> floats_;  // of each body of the world; and whether one that touches does:
-  bool something_floats_ = false;
-  std::vector<Vec3> guesses_;  // what it starts from, N s
+  Workers* at_work_ = &alone();  // in this step
+  ContactBundles<Scalar> packed_;
+  std::vector<Twist<Scalar>> now_, before_, moved_, given_;  // of packed_.bodies
+  std::vector<Inertia<Scalar>> inertias_;                    // of the same
+  std::vector<EightVectors<Scalar>> starts_;                 // of packed_.contacts
+  std::vector<Scalar> largest_;                              // of each part of a pass: what it returned
+  std::optional<Solved> measured_;                           // before the impulses of an impact were forgotten
+  bool bouncy_ = false;                                      // whether any contact is
+  bool something_floats_ = false;                            // whether any body that touches does
+  Real shortest_reach_ = 0;                                  // m, of the bodies that move
+  std::vector<Vec3> guesses_;                                // N s, of each contact of the world
 };
 
 extern template class Wide<float>;  // compiled once, in wide.cpp

@@ -8,6 +8,7 @@
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
 #include "pushback/engine/substeps/along.h"
+#include "pushback/engine/substeps/rides.h"
 #include "pushback/engine/substeps/wide.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
