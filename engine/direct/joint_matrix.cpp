@@ -8,11 +8,11 @@ namespace pushback {
 
 namespace {
 
-using Held = JointMatrix::Held;
+using JointBodies = JointMatrix::JointBodies;
 
-std::vector<JoinedBodies> bodies_of(const std::vector<Held>& joints) {
+std::vector<JoinedBodies> bodies_of(const std::vector<JointBodies>& joints) {
   std::vector<JoinedBodies> all;
-  for (const Held& joint : joints) all.push_back(std::minmax({joint.a, joint.b}));
+  for (const JointBodies& joint : joints) all.push_back(std::minmax({joint.a, joint.b}));
   return all;
 }
 
@@ -20,13 +20,13 @@ std::vector<JoinedBodies> bodies_of(const std::vector<Held>& joints) {
 std::vector<int> order_of_elimination(const std::vector<JoinedBodies>& joints) {
   const std::vector<bool> in = in_loops(joints);
   if (std::find(in.begin(), in.end(), true) == in.end()) {
-    std::vector<int> order = outward(joints);
+    std::vector<int> order = root_first(joints);
     std::reverse(order.begin(), order.end());
     return order;
   }
   const int count = static_cast<int>(joints.size());
   std::vector<Eigen::Triplet<double>> entries;
-  const auto neighbours = neighbours_of(joints);
+  const auto neighbours = joint_neighbours(joints);
   for (int i = 0; i < count; ++i) {
     entries.emplace_back(i, i, 1);
     for (const int j : neighbours[static_cast<std::size_t>(i)]) entries.emplace_back(i, j, 1);
@@ -52,7 +52,7 @@ std::vector<std::vector<int>> changed_by_elimination(const std::vector<JoinedBod
   const auto earlier = [&](int i, int j) {
     return position[static_cast<std::size_t>(i)] < position[static_cast<std::size_t>(j)];
   };
-  const auto neighbours = neighbours_of(joints);
+  const auto neighbours = joint_neighbours(joints);
   std::vector<std::vector<int>> changed(joints.size());
   for (const int joint : order) {
     auto& own = changed[static_cast<std::size_t>(joint)];
@@ -87,7 +87,7 @@ struct OfBody {
 
 }  // namespace
 
-void JointMatrix::analyse(const std::vector<Held>& joints) {
+void JointMatrix::analyse(const std::vector<JointBodies>& joints) {
   joints_ = joints;
   const std::vector<JoinedBodies> bodies = bodies_of(joints);
   order_ = order_of_elimination(bodies);
@@ -101,7 +101,7 @@ void JointMatrix::analyse(const std::vector<Held>& joints) {
       for (auto q = p; q != changed[i].end(); ++q) updates_.push_back(values_at(*q, *p));
   }
   shared_.clear();
-  for (const auto& [body, here] : joints_of(bodies)) {
+  for (const auto& [body, here] : joints_by_body(bodies)) {
     const auto is_b = [&, which = body](int joint) { return joints[static_cast<std::size_t>(joint)].b == which; };
     for (const int i : here)
       for (const int j : here)
@@ -169,14 +169,14 @@ void JointMatrix::assemble(const JointRows& rows) {
     }
 }
 
-void JointMatrix::eliminate(const Column& column, const JointRows& rows, const std::vector<char>& taken) {
+void JointMatrix::eliminate(const Column& column, const JointRows& rows, const std::vector<char>& active) {
   double* const l = &values_[column.values];
   double* const inverse = &inverse_pivots_[column.first];
   with_number(column.rows, [&](auto n) {
     for (int c = 0; c < n; ++c) {
       const std::size_t row = column.first + std::size_t(c);
       const double pivot = l[c * n + c], least = static_cast<double>(least_pivot) * diagonal_[row];
-      const bool counts = taken[row] && (pivot > least || limited(rows[row]));
+      const bool counts = active[row] && (pivot > least || has_limits(rows[row]));
       inverse[c] = counts && least > 0 ? 1 / std::max(pivot, least) : 0;
       for (int i = c + 1; i < n; ++i) {
         const double scaled = l[i * n + c] * inverse[c];
@@ -215,10 +215,11 @@ void JointMatrix::eliminate(const Column& column, const JointRows& rows, const s
   });
 }
 
-void JointMatrix::factor(const JointRows& rows, const std::vector<Held>& joints, const std::vector<char>& taken) {
+void JointMatrix::factor(const JointRows& rows, const std::vector<JointBodies>& joints,
+                         const std::vector<char>& active) {
   if (joints != joints_) analyse(joints);
   assemble(rows);
-  for (const int joint : order_) eliminate(columns_[static_cast<std::size_t>(joint)], rows, taken);
+  for (const int joint : order_) eliminate(columns_[static_cast<std::size_t>(joint)], rows, active);
 }
 
 void JointMatrix::solve(std::span<double> x) const {
@@ -255,7 +256,7 @@ void JointMatrix::solve(std::span<double> x) const {
   }
 }
 
-std::size_t JointMatrix::numbers() const {
+std::size_t JointMatrix::nonzeros() const {
   std::size_t sum = 0;
   for (const Column& column : columns_) {
     sum += std::size_t(column.rows * (column.rows - 1) / 2);

@@ -74,15 +74,15 @@ void HalfStep::moved(World& world, Real /*h*/) {
 
 /// The order of step.h, for one detection and one call of `solve`.
 StepOutcome HalfStep::try_step(World& world, Real dt) {
-  Everybody everybody;
+  AllBodies all_bodies;
   for (Joint& joint : world.joints) std::fill(joint.impulses.begin(), joint.impulses.end(), 0);
-  everybody.check(world);
+  all_bodies.check(world);
   check(world, dt);
-  detect(world, everybody, plan(dt).margin);
+  detect(world, all_bodies, plan(dt).margin);
   detected(world, dt);
-  integrate_velocities(world, dt, everybody);
+  integrate_velocities(world, dt, all_bodies);
   if (!run(world, dt)) return {.converged = false, .work = work()};
-  everybody.each(world, [dt](Body& body) { move(body, dt); });
+  all_bodies.each(world, [dt](Body& body) { move(body, dt); });
   world.time += dt;
   moved(world, dt);
   world.dt_before = dt;

@@ -35,7 +35,7 @@ Vec3 gained_in_drift(const Body& body, const Vec3& arm, Real h) {
 WarmDirectContacts exact_direct_contacts() {
   WarmDirectContacts direct;
   direct.tolerance = in_doubles ? 1e-11 : 1e-5;
-  direct.too_far = in_doubles ? 1e-8 : 1e-4;
+  direct.fallback_tolerance = in_doubles ? 1e-8 : 1e-4;
   direct.rounds = 6;
   return direct;
 }
@@ -46,7 +46,7 @@ bool HeldContacts::holds(const ContactId& id) const {
 }
 
 void HeldContacts::add_borne(const World& world, std::vector<Vec3>& accelerations) const {
-  for (const Known& known : known_) {
+  for (const ContactMemory& known : known_) {
     if (known.borne.isZero(0) || !holds(known.id)) continue;
     accelerations[known.id.body_a] -= world.bodies[known.id.body_a].inverse_mass * known.borne;
     accelerations[known.id.body_b] += world.bodies[known.id.body_b].inverse_mass * known.borne;
@@ -73,7 +73,7 @@ void HeldContacts::begin(const World& world) {
   sums_.clear();
   auto old = world.contacts_before.begin();  // both lists ascend: walk them side by side
   for (const Contact& contact : world.contacts) {
-    Known& known = known_.emplace_back(Known{.id = contact.id});
+    ContactMemory& known = known_.emplace_back(ContactMemory{.id = contact.id});
     while (old != world.contacts_before.end() && old->id < contact.id) ++old;
     if (old != world.contacts_before.end() && old->id == contact.id)
       known.borne = world.impulse_scale(1) * old->impulse;
@@ -109,10 +109,10 @@ bool HeldContacts::solve(World& world, Real h) {
   do {
     newton_.clear();
     stage_.add_to(newton_, world);
-    newton_.solve(world, direct_.tolerance * stage_.unit() / 16, direct_.too_far * stage_.unit() / 16);
+    newton_.solve(world, direct_.tolerance * stage_.unit() / 16, direct_.fallback_tolerance * stage_.unit() / 16);
     stage_.read_rows(world);
   } while (stage_.release_reversed(world));
-  if (stage_.residual(world) <= direct_.too_far) return true;
+  if (stage_.residual(world) <= direct_.fallback_tolerance) return true;
   if (fall_back_to_full_solve) return solve_from_nothing(world, h);
   failure_ = fmt::format("{} contacts are not solved from what they bore", stage_.size());
   return false;
@@ -127,7 +127,7 @@ bool HeldContacts::solve_from_nothing(World& world, Real h) {
   world.contacts.swap(touching_);  // chapter 17 solves those of the world
   StepContext step{world, world.contacts, stage_.rows(), h};
   direct_.work = newton_.work;
-  failure_ = direct_.try_start(step) ? "" : WarmDirectContacts::too_large(stage_.size());
+  failure_ = direct_.try_start(step) ? "" : WarmDirectContacts::too_large_message(stage_.size());
   for (std::size_t k = 0; k < stage_.size() && failure_.empty(); ++k) {
     const ContactId& id = world.contacts[k].id;
     if (!(step.speed_error(k) > -solved))
@@ -186,7 +186,7 @@ void HeldContacts::begin_pressing(World& world, Real h) {
 
 void HeldContacts::end_pressing(const World& world, Real h) {
   for (const StageContact& at : stage_) {
-    Known& known = known_[at.index];
+    ContactMemory& known = known_[at.index];
     known.pressing = at.impulse;
     known.total += components(at.impulse, world.contacts[at.index].normal);
     sums_.add(world.contacts[at.index], at.impulse, known.sum);
@@ -198,7 +198,7 @@ void HeldContacts::end_pressing(const World& world, Real h) {
 void HeldContacts::begin_projecting(World& world, Real h) {
   stage_.clear();
   for (std::size_t i = 0; i < known_.size(); ++i) {
-    Known& known = known_[i];
+    ContactMemory& known = known_[i];
     known.last.setZero();
     if (!holds(known.id) || (!known.pressed && world.contacts[i].depth <= -touches)) {
       known.borne.setZero();
@@ -213,7 +213,7 @@ void HeldContacts::begin_projecting(World& world, Real h) {
 
 void HeldContacts::end_projecting(const World& world, Real h) {
   for (const StageContact& at : stage_) {
-    Known& known = known_[at.index];
+    ContactMemory& known = known_[at.index];
     known.total += components(at.impulse, world.contacts[at.index].normal);
     sums_.add(world.contacts[at.index], at.impulse, known.sum);
     known.last = at.impulse;

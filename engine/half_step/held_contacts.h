@@ -97,7 +97,7 @@ class HeldContacts {
   int rows() const { return 3 * static_cast<int>(stage_.size()); }
 
  private:
-  struct Known {  // of a contact, by its id
+  struct ContactMemory {  // of a contact, by its id
     ContactId id;
     Vec3 borne = Vec3::Zero();            // N, in both stages of the substep before
     Vec3 pressing = Vec3::Zero();         // N s, in the first stage
@@ -117,8 +117,8 @@ class HeldContacts {
   StageContacts stage_;
   Contacts touching_;  // those of stage_
   std::string failure_;
-  std::vector<Known> known_, known_before_;  // of World::contacts, ascending
-  ContactSums sums_;                         // since `begin`
+  std::vector<ContactMemory> known_, known_before_;  // of World::contacts, ascending
+  ContactSums sums_;                                 // since `begin`
 };
 
 }  // namespace pushback

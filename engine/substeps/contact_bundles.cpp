@@ -4,21 +4,21 @@
 #include <limits>
 
 #include "pushback/engine/substeps/lane_access.h"
-#include "pushback/engine/substeps/rides.h"
+#include "pushback/engine/substeps/normal_source.h"
 #include "pushback/engine/substeps/substepping_solver.h"
 
 namespace pushback {
 
 template <class Scalar>
-void ContactBundles<Scalar>::build(World& world, Sets sets, const BundleInput& input, Workers& workers) {
+void ContactBundles<Scalar>::build(World& world, PairSets sets, const BundleInput& input, Workers& workers) {
   bodies.clear();
   indices_.assign(world.bodies.size(), std::numeric_limits<std::size_t>::max());
   for (auto& set : sets)
-    for (PairOfBodies& pair : set) pair.a = index_of(world, pair.a), pair.b = index_of(world, pair.b);
+    for (TouchingPair& pair : set) pair.a = index_of(world, pair.a), pair.b = index_of(world, pair.b);
   bodies.push_back(&world.body(the_world));
   measure_reaches(world);
   locations.resize(world.contacts.size());
-  const std::vector<std::span<const PairOfBodies>> pairs = lay_out(sets);
+  const std::vector<std::span<const TouchingPair>> pairs = lay_out(sets);
   workers.each(bundles.size(), least_bundles, [&](Part part) {
     for (std::size_t i = part.begin; i < part.end; ++i) {
       clear(bundles[i]);
@@ -59,15 +59,15 @@ Real ContactBundles<Scalar>::shortest_reach() const {
 
 /// Makes the bundles and their lists of contacts, all empty. Returns the pairs of each bundle, which are views of `sets`.
 template <class Scalar>
-std::vector<std::span<const PairOfBodies>> ContactBundles<Scalar>::lay_out(const Sets& sets) {
-  std::vector<std::span<const PairOfBodies>> pairs;
+std::vector<std::span<const TouchingPair>> ContactBundles<Scalar>::lay_out(const PairSets& sets) {
+  std::vector<std::span<const TouchingPair>> pairs;
   bundles.clear();
   set_ends.clear();
   int count = 0;
   for (const auto& set : sets) {
-    for (std::size_t first = 0; first < set.size(); first += lanes_of_bundle) {
+    for (std::size_t first = 0; first < set.size(); first += lanes_per_bundle) {
       Bundle<Scalar>& bundle = bundles.emplace_back();
-      pairs.push_back(std::span(set).subspan(first, std::min<std::size_t>(lanes_of_bundle, set.size() - first)));
+      pairs.push_back(std::span(set).subspan(first, std::min<std::size_t>(lanes_per_bundle, set.size() - first)));
       bundle.first = count;
       bundle.end = count += static_cast<int>(set[first].count);  // no pair that follows in the set has more
     }
@@ -82,12 +82,12 @@ std::vector<std::span<const PairOfBodies>> ContactBundles<Scalar>::lay_out(const
 template <class Scalar>
 void ContactBundles<Scalar>::clear(Bundle<Scalar>& bundle) {
   const int world = static_cast<int>(bodies.size()) - 1;
-  std::fill(bundle.a, bundle.a + lanes_of_bundle, world);
-  std::fill(bundle.b, bundle.b + lanes_of_bundle, world);
-  bundle.placed_way = bundle.placed_turn_a = bundle.placed_turn_b = {};
-  bundle.on_a = bundle.on_b = bundle.between = {};
+  std::fill(bundle.a, bundle.a + lanes_per_bundle, world);
+  std::fill(bundle.b, bundle.b + lanes_per_bundle, world);
+  bundle.rebuilt_displacement = bundle.rebuilt_turn_a = bundle.rebuilt_turn_b = {};
+  bundle.face_a = bundle.face_b = bundle.cores = {};
   bundle.radius_a = bundle.radius_b = bundle.reach_a = bundle.reach_b = {};
-  std::fill_n(bundle.stays_within.of, lanes_of_bundle, std::numeric_limits<Scalar>::infinity());
+  std::fill_n(bundle.rebuild_distance_squared.values, lanes_per_bundle, std::numeric_limits<Scalar>::infinity());
   for (int c = bundle.first; c < bundle.end; ++c) {
     WideContact<Scalar>& contact = contacts[static_cast<std::size_t>(c)];
     contact.normal.impulse = contact.tangent1.impulse = contact.tangent2.impulse = {};
@@ -99,39 +99,39 @@ void ContactBundles<Scalar>::clear(Bundle<Scalar>& bundle) {
 
 /// The masses, inertias and shapes of a pair, and whether its rows ride on a body.
 template <class Scalar>
-void ContactBundles<Scalar>::pack_bodies(const PairOfBodies& pair, const Vec3& n, const BundleInput& input,
+void ContactBundles<Scalar>::pack_bodies(const TouchingPair& pair, const Vec3& n, const BundleInput& input,
                                          Bundle<Scalar>& bundle, std::size_t lane) {
   const Body &a = *bodies[pair.a], &b = *bodies[pair.b];
   bundle.a[lane] = static_cast<int>(pair.a);
   bundle.b[lane] = static_cast<int>(pair.b);
-  bundle.inverse_mass_a.of[lane] = static_cast<Scalar>(a.inverse_mass);
-  bundle.inverse_mass_b.of[lane] = static_cast<Scalar>(b.inverse_mass);
+  bundle.inverse_mass_a.values[lane] = static_cast<Scalar>(a.inverse_mass);
+  bundle.inverse_mass_b.values[lane] = static_cast<Scalar>(b.inverse_mass);
   write_lane(a.inverse_inertia, bundle.inverse_inertia_a, lane);
   write_lane(b.inverse_inertia, bundle.inverse_inertia_b, lane);
   const Real reach_a = reaches[pair.a], reach_b = reaches[pair.b];
-  bundle.reach_a.of[lane] = static_cast<Scalar>(reach_a);
-  bundle.reach_b.of[lane] = static_cast<Scalar>(reach_b);
-  const Rides rides = what_it_rides_on(a, b, n, reach_a, reach_b);
-  bundle.on_a.of[lane] = rides == Rides::on_a;
-  bundle.on_b.of[lane] = rides == Rides::on_b;
-  bundle.between.of[lane] = rides == Rides::between;
-  bundle.radius_a.of[lane] = static_cast<Scalar>(radius_of(a) + a.skin);
-  bundle.radius_b.of[lane] = static_cast<Scalar>(radius_of(b) + b.skin);
+  bundle.reach_a.values[lane] = static_cast<Scalar>(reach_a);
+  bundle.reach_b.values[lane] = static_cast<Scalar>(reach_b);
+  const NormalSource source = normal_source_of(a, b, n, reach_a, reach_b);
+  bundle.face_a.values[lane] = source == NormalSource::face_a;
+  bundle.face_b.values[lane] = source == NormalSource::face_b;
+  bundle.cores.values[lane] = source == NormalSource::cores;
+  bundle.radius_a.values[lane] = static_cast<Scalar>(radius_of(a) + a.skin);
+  bundle.radius_b.values[lane] = static_cast<Scalar>(radius_of(b) + b.skin);
   const bool floats = input.floats[std::size_t(a.movable() ? a.index : b.index)];
   const Real shorter = !a.movable() ? reach_b : !b.movable() ? reach_a : std::min(reach_a, reach_b);
-  const Real within = floats ? 0 : input.stays_within * shorter;
-  bundle.stays_within.of[lane] = static_cast<Scalar>(within * within);
+  const Real within = floats ? 0 : input.rebuild_fraction * shorter;
+  bundle.rebuild_distance_squared.values[lane] = static_cast<Scalar>(within * within);
 }
 
 /// A pair and its contacts, all of which get the first one's normal and friction.
 template <class Scalar>
-void ContactBundles<Scalar>::pack_pair(const World& world, const PairOfBodies& pair, const BundleInput& input,
+void ContactBundles<Scalar>::pack_pair(const World& world, const TouchingPair& pair, const BundleInput& input,
                                        std::size_t at, std::size_t lane) {
   Bundle<Scalar>& bundle = bundles[at];
   const Contact& first = world.contacts[pair.first];
   const auto [tangent1, tangent2] = tangents_of(first.normal);
   pack_bodies(pair, first.normal, input, bundle, lane);
-  bundle.friction.of[lane] = static_cast<Scalar>(first.friction);
+  bundle.friction.values[lane] = static_cast<Scalar>(first.friction);
   write_lane(first.normal, bundle.n, lane);
   write_lane(tangent1, bundle.tangent1, lane);
   write_lane(tangent2, bundle.tangent2, lane);
@@ -141,19 +141,19 @@ void ContactBundles<Scalar>::pack_pair(const World& world, const PairOfBodies& p
   for (std::size_t i = 0; i < pair.count; ++i) {
     const std::size_t index = pair.first + i, to = static_cast<std::size_t>(bundle.first) + i;
     const Contact& found = world.contacts[index];
-    const Vec3 guess = within_cone(input.guesses[index], first.normal, first.friction);
+    const Vec3 guess = clamped_to_cone(input.guesses[index], first.normal, first.friction);
     WidePoint<Scalar>& point = points[to];
     WideContact<Scalar>& contact = contacts[to];
     write_lane(Vec3(found.point - bodies[pair.a]->position), point.arm_a, lane);
     write_lane(Vec3(found.point - bodies[pair.b]->position), point.arm_b, lane);
-    point.gap.of[lane] = static_cast<Scalar>(-found.depth);
-    point.present.of[lane] = 1;
-    contact.found.of[lane] = static_cast<Scalar>(-found.depth);
-    contact.restitution.of[lane] = static_cast<Scalar>(found.restitution);
-    contact.normal.impulse.of[lane] = static_cast<Scalar>(guess.dot(first.normal));
+    point.gap.values[lane] = static_cast<Scalar>(-found.depth);
+    point.present.values[lane] = 1;
+    contact.found.values[lane] = static_cast<Scalar>(-found.depth);
+    contact.restitution.values[lane] = static_cast<Scalar>(found.restitution);
+    contact.normal.impulse.values[lane] = static_cast<Scalar>(guess.dot(first.normal));
     if (first.friction > 0) {
-      contact.tangent1.impulse.of[lane] = static_cast<Scalar>(guess.dot(tangent1));
-      contact.tangent2.impulse.of[lane] = static_cast<Scalar>(guess.dot(tangent2));
+      contact.tangent1.impulse.values[lane] = static_cast<Scalar>(guess.dot(tangent1));
+      contact.tangent2.impulse.values[lane] = static_cast<Scalar>(guess.dot(tangent2));
     }
     locations[index] = {at, to, lane};
   }
@@ -169,16 +169,16 @@ void ContactBundles<Scalar>::write_back(std::size_t i, const std::vector<Twist<S
   const Twist<Scalar>&a_moved = displacements[std::size_t(bundle.a[lane])],
         &b_moved = displacements[std::size_t(bundle.b[lane])];
   contact.normal = n;
-  contact.depth = -static_cast<Real>(wide.found.of[lane]) - n.dot(linear_of(b_moved) - linear_of(a_moved)) -
+  contact.depth = -static_cast<Real>(wide.found.values[lane]) - n.dot(linear_of(b_moved) - linear_of(a_moved)) -
                   read_lane(wide.normal.rb_n, lane).dot(angular_of(b_moved)) +
                   read_lane(wide.normal.ra_n, lane).dot(angular_of(a_moved));
-  const Scalar pushed = wide.normal.impulse.of[lane], rubbed1 = wide.tangent1.impulse.of[lane],
-               rubbed2 = wide.tangent2.impulse.of[lane];
+  const Scalar pushed = wide.normal.impulse.values[lane], rubbed1 = wide.tangent1.impulse.values[lane],
+               rubbed2 = wide.tangent2.impulse.values[lane];
   const Vec3 t1 = read_lane(bundle.tangent1, lane), t2 = read_lane(bundle.tangent2, lane);
   contact.impulse = read_lane(wide.sum, lane);
   contact.last_impulse =
       static_cast<Real>(pushed) * n + static_cast<Real>(rubbed1) * t1 + static_cast<Real>(rubbed2) * t2;
-  contact.state = state_of(known, bundle.friction.of[lane], pushed, rubbed1, rubbed2);
+  contact.state = state_of(known, bundle.friction.values[lane], pushed, rubbed1, rubbed2);
 }
 
 template <class Scalar>
@@ -194,7 +194,7 @@ Real ContactBundles<Scalar>::residual() const {
              read_lane(row.rb_n, lane).dot(second.angular_velocity) -
              read_lane(row.ra_n, lane).dot(first.angular_velocity);
     };
-    const auto number = [lane](const Eight<Scalar>& of) { return static_cast<Real>(of.of[lane]); };
+    const auto number = [lane](const EightNumbers<Scalar>& of) { return static_cast<Real>(of.values[lane]); };
     const Real pushed = number(wide.normal.impulse), rubbed1 = number(wide.tangent1.impulse),
                rubbed2 = number(wide.tangent2.impulse), step_size = number(wide.step_size);
     const Real wanted = speed(bundle.n, wide.normal) + number(wide.bias) + number(wide.softness) * pushed;

@@ -6,7 +6,7 @@
 
 #include "pushback/common/basics/workers.h"
 #include "pushback/engine/substeps/bundle.h"
-#include "pushback/engine/substeps/colours.h"
+#include "pushback/engine/substeps/pair_colouring.h"
 
 namespace pushback {
 
@@ -16,8 +16,8 @@ inline constexpr std::size_t least_bundles = 8;
 /// The values of a bundle that do not come from the contacts of the world.
 struct BundleInput {
   const std::vector<Vec3>& guesses;  ///< N s, on B, world axes: the impulse with which each contact starts
-  const std::vector<bool>& floats;   ///< of each body: see floating.h
-  Real stays_within;                 ///< Wide::stays_within
+  const std::vector<bool>& floats;   ///< of each body: see floating_bodies.h
+  Real rebuild_fraction;             ///< WideSolver::rebuild_fraction
 };
 
 /// The arrays on which the passes of bundle.h work, set by set. Defined for float and double.
@@ -36,7 +36,7 @@ struct ContactBundles {
   std::vector<Location> locations;            ///< of each contact of the world
 
   /// Copies World::contacts, all pairs of which are in `sets`. Rows are left to Passes::prepare.
-  void build(World& world, Sets sets, const BundleInput& input, Workers& workers);
+  void build(World& world, PairSets sets, const BundleInput& input, Workers& workers);
   /// m: the shortest reach of a body that moves. Infinite if no body moves.
   Real shortest_reach() const;
   /// Copies the normal, the depth, the impulses and the state of the i-th contact. `displacements`: of each of `bodies`, since
@@ -48,11 +48,11 @@ struct ContactBundles {
  private:
   std::size_t index_of(World& world, std::size_t body);
   void measure_reaches(const World& world);
-  std::vector<std::span<const PairOfBodies>> lay_out(const Sets& sets);
+  std::vector<std::span<const TouchingPair>> lay_out(const PairSets& sets);
   void clear(Bundle<Scalar>& bundle);
-  void pack_bodies(const PairOfBodies& pair, const Vec3& n, const BundleInput& input, Bundle<Scalar>& bundle,
+  void pack_bodies(const TouchingPair& pair, const Vec3& n, const BundleInput& input, Bundle<Scalar>& bundle,
                    std::size_t lane);
-  void pack_pair(const World& world, const PairOfBodies& pair, const BundleInput& input, std::size_t at,
+  void pack_pair(const World& world, const TouchingPair& pair, const BundleInput& input, std::size_t at,
                  std::size_t lane);
 
   std::vector<std::size_t> indices_;  // of each body of the world, in `bodies`

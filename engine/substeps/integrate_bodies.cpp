@@ -9,40 +9,40 @@ namespace {
 /// Collects bodies that rotate. Once there are eight of them, they are turned.
 class TurningBodies {
  public:
-  explicit TurningBodies(void (*pass)(Turning<Real>&, Real h)) : pass_(pass) {}
+  explicit TurningBodies(void (*pass)(EightRotations<Real>&, Real h)) : pass_(pass) {}
   void add(Body& body, Real h) {
     const Quat& q = body.orientation;
-    numbers_.x.of[count_] = q.x(), numbers_.y.of[count_] = q.y(), numbers_.z.of[count_] = q.z();
-    numbers_.s.of[count_] = q.w();
+    numbers_.x.values[count_] = q.x(), numbers_.y.values[count_] = q.y(), numbers_.z.values[count_] = q.z();
+    numbers_.s.values[count_] = q.w();
     write_lane(body.angular_velocity, numbers_.w, count_);
     write_lane(body.principal_inverse_inertia, numbers_.inverse_inertia, count_);
     bodies_[count_] = &body;
-    if (++count_ == lanes_of_bundle) turn(h);
+    if (++count_ == lanes_per_bundle) turn(h);
   }
   void turn(Real h) {
     pass_(numbers_, h);
     for (std::size_t i = 0; i < count_; ++i) {
       Body& body = *bodies_[i];
-      if (numbers_.solved.of[i] == 0) {
+      if (numbers_.solved.values[i] == 0) {
         spin_freely(body, h);
         continue;
       }
-      body.orientation = Quat(numbers_.s.of[i], numbers_.x.of[i], numbers_.y.of[i], numbers_.z.of[i]);
+      body.orientation = Quat(numbers_.s.values[i], numbers_.x.values[i], numbers_.y.values[i], numbers_.z.values[i]);
       body.angular_velocity = read_lane(numbers_.w, i);
     }
     count_ = 0;
   }
 
  private:
-  void (*pass_)(Turning<Real>&, Real);
-  Turning<Real> numbers_{};
-  Body* bodies_[lanes_of_bundle];
+  void (*pass_)(EightRotations<Real>&, Real);
+  EightRotations<Real> numbers_{};
+  Body* bodies_[lanes_per_bundle];
   std::size_t count_ = 0;
 };
 
 }  // namespace
 
-void integrate_bodies(std::span<Body> bodies, Real h, void (*turn)(Turning<Real>&, Real h)) {
+void integrate_bodies(std::span<Body> bodies, Real h, void (*turn)(EightRotations<Real>&, Real h)) {
   TurningBodies turning(turn);
   for (Body& body : bodies) {
     if (body.conveys) continue;

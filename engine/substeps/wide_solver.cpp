@@ -1,8 +1,8 @@
-#include "pushback/engine/substeps/wide.h"
+#include "pushback/engine/substeps/wide_solver.h"
 
 #include <algorithm>
 
-#include "pushback/engine/substeps/floating.h"
+#include "pushback/engine/substeps/floating_bodies.h"
 #include "pushback/engine/substeps/flush_denormals.h"
 #include "pushback/engine/substeps/integrate_bodies.h"
 #include "pushback/engine/substeps/lane_access.h"
@@ -18,20 +18,21 @@ Passes<Scalar> passes_of_this_processor(int lanes) {
 }
 
 template <class Scalar, class JointEffect>
-void Wide<Scalar, JointEffect>::detected(World& world, Real h) {
+void WideSolver<Scalar, JointEffect>::detected(World& world, Real h) {
   const FlushDenormals flush;
-  at_work_ = &(crew ? *crew : alone()).of_bodies(world.bodies.size());
+  at_work_ = &(workers ? *workers : alone()).of_bodies(world.bodies.size());
   measured_.reset();
-  const std::vector<PairOfBodies> touching = touching_pairs(world.contacts);
-  const std::vector<bool> floats = floating(touching, world);
+  const std::vector<TouchingPair> touching = touching_pairs(world.contacts);
+  const std::vector<bool> floats = floating_bodies(touching, world);
   guesses_.assign(world.contacts.size(), Vec3::Zero());
   start_from_last_step(world, h, [this](std::size_t i, const Vec3& impulse) { guesses_[i] = impulse; });
-  packed_.build(world, sets_of(touching, world), {guesses_, floats, stays_within}, *at_work_);
+  packed_.build(world, make_sets(touching, world), {guesses_, floats, rebuild_fraction}, *at_work_);
   shortest_reach_ = packed_.shortest_reach();
   const std::vector<Body*>& bodies = packed_.bodies;
-  for (auto* twists : {&now_, &before_, &moved_, &given_}) twists->assign(bodies.size(), Twist<Scalar>{});
+  for (auto* twists : {&velocities_, &velocities_before_, &displacements_, &impulse_velocities_})
+    twists->assign(bodies.size(), Twist<Scalar>{});
   inertias_.resize(bodies.size());
-  starts_.resize(packed_.contacts.size());
+  start_impulses_.resize(packed_.contacts.size());
   bouncy_ =
       std::any_of(world.contacts.begin(), world.contacts.end(), [](const Contact& c) { return c.restitution > 0; });
   something_floats_ = std::any_of(bodies.begin(), bodies.end() - 1,
@@ -40,23 +41,23 @@ void Wide<Scalar, JointEffect>::detected(World& world, Real h) {
 }
 
 template <class Scalar, class JointEffect>
-Bundles<Scalar> Wide<Scalar, JointEffect>::bundles(std::size_t begin, std::size_t end) {
+BundleRange<Scalar> WideSolver<Scalar, JointEffect>::bundles(std::size_t begin, std::size_t end) {
   return {packed_.bundles.data() + begin,
           static_cast<int>(end - begin),
           packed_.points.data(),
           packed_.contacts.data(),
-          now_.data(),
-          before_.data(),
-          moved_.data(),
-          given_.data(),
+          velocities_.data(),
+          velocities_before_.data(),
+          displacements_.data(),
+          impulse_velocities_.data(),
           inertias_.data(),
-          starts_.data()};
+          start_impulses_.data()};
 }
 
 /// `act(i)` for each of the bodies that touch. It changes nothing of any other.
 template <class Scalar, class JointEffect>
 template <class Act>
-void Wide<Scalar, JointEffect>::each_body(const Act& act) {
+void WideSolver<Scalar, JointEffect>::each_body(const Act& act) {
   at_work_->each(packed_.bodies.size(), 256, [&](Part part) {
     for (std::size_t i = part.begin; i < part.end; ++i) act(i);
   });
@@ -64,13 +65,13 @@ void Wide<Scalar, JointEffect>::each_body(const Act& act) {
 /// `act(begin, end)` for parts of all bundles: it changes no body. Returns the largest of what it returns.
 template <class Scalar, class JointEffect>
 template <class Act>
-Scalar Wide<Scalar, JointEffect>::each_bundle(const Act& act) {
+Scalar WideSolver<Scalar, JointEffect>::each_bundle(const Act& act) {
   return largest_in(0, packed_.bundles.size(), act);
 }
 /// The same for the bundles of one set after the other: it changes the bodies of its bundles, and nobody else's.
 template <class Scalar, class JointEffect>
 template <class Act>
-Scalar Wide<Scalar, JointEffect>::set_by_set(const Act& act) {
+Scalar WideSolver<Scalar, JointEffect>::set_by_set(const Act& act) {
   Scalar largest = 0;
   std::size_t begin = 0;
   for (const std::size_t end : packed_.set_ends) {
@@ -81,7 +82,7 @@ Scalar Wide<Scalar, JointEffect>::set_by_set(const Act& act) {
 }
 template <class Scalar, class JointEffect>
 template <class Act>
-Scalar Wide<Scalar, JointEffect>::largest_in(std::size_t begin, std::size_t end, const Act& act) {
+Scalar WideSolver<Scalar, JointEffect>::largest_in(std::size_t begin, std::size_t end, const Act& act) {
   const std::size_t items = end - begin;
   largest_.assign(at_work_->parts(items, least_bundles), 0);
   at_work_->each(items, least_bundles, [&](Part part) {
@@ -92,15 +93,16 @@ Scalar Wide<Scalar, JointEffect>::largest_in(std::size_t begin, std::size_t end,
 }
 
 template <class Scalar, class JointEffect>
-void Wide<Scalar, JointEffect>::solve(World& world, Real h, int sweeps) {
+void WideSolver<Scalar, JointEffect>::solve(World& world, Real h, int sweeps) {
   const FlushDenormals flush;
   StepContext step = joints_step(world, h);
   joints.build(step);
   forget_impacts();
   if (bouncy_) {
     each_body([&](std::size_t i) {
-      write_twist(packed_.bodies[i]->velocity_before, packed_.bodies[i]->angular_velocity_before, before_[i]);
-      write_twist(packed_.bodies[i]->velocity, packed_.bodies[i]->angular_velocity, now_[i]);
+      write_twist(packed_.bodies[i]->velocity_before, packed_.bodies[i]->angular_velocity_before,
+                  velocities_before_[i]);
+      write_twist(packed_.bodies[i]->velocity, packed_.bodies[i]->angular_velocity, velocities_[i]);
     });
   }
   const PushOut wanted = push_out(h);
@@ -112,8 +114,8 @@ void Wide<Scalar, JointEffect>::solve(World& world, Real h, int sweeps) {
   if (fastest_ > 0) each_bundle([&](std::size_t begin, std::size_t end) { passes.save_impulses(bundles(begin, end)); });
   joints.start(step);
   each_body([&](std::size_t i) {
-    packed_.bodies[i]->velocity += linear_of(given_[i]);
-    packed_.bodies[i]->angular_velocity += angular_of(given_[i]);
+    packed_.bodies[i]->velocity += linear_of(impulse_velocities_[i]);
+    packed_.bodies[i]->angular_velocity += angular_of(impulse_velocities_[i]);
   });
   for (int i = 0; i < sweeps; ++i) sweep(step, passes.solve_friction);
   joints.finish(step);
@@ -121,24 +123,24 @@ void Wide<Scalar, JointEffect>::solve(World& world, Real h, int sweeps) {
 }
 
 template <class Scalar, class JointEffect>
-void Wide<Scalar, JointEffect>::integrate_positions(World& world, Real h) {
+void WideSolver<Scalar, JointEffect>::integrate_positions(World& world, Real h) {
   at_work_->each(world.bodies.size(), 256, [&](Part part) {
-    integrate_bodies(std::span(world.bodies).subspan(part.begin, part.end - part.begin), h, turning.turn);
+    integrate_bodies(std::span(world.bodies).subspan(part.begin, part.end - part.begin), h, body_passes.turn);
   });
 }
 
 template <class Scalar, class JointEffect>
-void Wide<Scalar, JointEffect>::moved(World& world, Real h) {
+void WideSolver<Scalar, JointEffect>::moved(World& world, Real h) {
   const FlushDenormals flush;
   each_body([&](std::size_t i) {
     if (packed_.bodies[i]->conveys) return;
     const Vec3 &v = packed_.bodies[i]->velocity, &w = packed_.bodies[i]->angular_velocity;
     for (int k = 0; k < 3; ++k) {
-      moved_[i].of[k] += static_cast<Scalar>(h * v[k]);
-      moved_[i].of[3 + k] += static_cast<Scalar>(h * w[k]);
+      displacements_[i].values[k] += static_cast<Scalar>(h * v[k]);
+      displacements_[i].values[3 + k] += static_cast<Scalar>(h * w[k]);
     }
   });
-  place_rows();
+  rebuild_rows();
   each_bundle([&](std::size_t begin, std::size_t end) { passes.relax(bundles(begin, end)); });
   StepContext step = joints_step(world, h);
   joints.update_geometry(step);
@@ -149,27 +151,29 @@ void Wide<Scalar, JointEffect>::moved(World& world, Real h) {
 /// Rows of bodies that have passed each other, or turned, far enough are placed anew. Where nothing floats and no body has moved by
 /// half of what the first pair may, there is nothing to do.
 template <class Scalar, class JointEffect>
-void Wide<Scalar, JointEffect>::place_rows() {
-  const Real within = stays_within * shortest_reach_ / 2;
+void WideSolver<Scalar, JointEffect>::rebuild_rows() {
+  const Real within = rebuild_fraction * shortest_reach_ / 2;
   bool far = something_floats_;
   for (std::size_t i = 0; i < packed_.bodies.size() && !far; ++i)
-    far = linear_of(moved_[i]).norm() >= within || packed_.reaches[i] * angular_of(moved_[i]).norm() >= within;
+    far = linear_of(displacements_[i]).norm() >= within ||
+          packed_.reaches[i] * angular_of(displacements_[i]).norm() >= within;
   if (!far) return;
   each_body([&](std::size_t i) {
     packed_.bodies[i]->refresh_inertia();
-    write_twist(packed_.bodies[i]->velocity, packed_.bodies[i]->angular_velocity, now_[i]);
+    write_twist(packed_.bodies[i]->velocity, packed_.bodies[i]->angular_velocity, velocities_[i]);
     inertias_[i] = inertia_of<Scalar>(packed_.bodies[i]->inverse_inertia);
   });
-  set_by_set([&](std::size_t begin, std::size_t end) { passes.along(bundles(begin, end)); });
+  set_by_set([&](std::size_t begin, std::size_t end) { passes.rebuild_rows(bundles(begin, end)); });
 }
 
 /// Velocities are copied into lanes, and only what the contacts have added is copied back: the velocity of a body on which no
 /// contact acts keeps its bits.
 template <class Scalar, class JointEffect>
-void Wide<Scalar, JointEffect>::sweep(StepContext& step, void (*friction_pass)(const Bundles<Scalar>&)) {
+void WideSolver<Scalar, JointEffect>::sweep(StepContext& step, void (*friction_pass)(const BundleRange<Scalar>&)) {
   joints.sweep(step);
-  each_body(
-      [&](std::size_t i) { write_twist(packed_.bodies[i]->velocity, packed_.bodies[i]->angular_velocity, now_[i]); });
+  each_body([&](std::size_t i) {
+    write_twist(packed_.bodies[i]->velocity, packed_.bodies[i]->angular_velocity, velocities_[i]);
+  });
   solve_normals_until_solved([this] {
     rows_solved += packed_.locations.size();
     return static_cast<Real>(
@@ -179,9 +183,10 @@ void Wide<Scalar, JointEffect>::sweep(StepContext& step, void (*friction_pass)(c
   each_body([&](std::size_t i) {
     Vec3 &v = packed_.bodies[i]->velocity, &w = packed_.bodies[i]->angular_velocity;
     for (int k = 0; k < 3; ++k) {
-      const Scalar dv = now_[i].of[k] - static_cast<Scalar>(v[k]), dw = now_[i].of[3 + k] - static_cast<Scalar>(w[k]);
-      given_[i].of[k] += dv;
-      given_[i].of[3 + k] += dw;
+      const Scalar dv = velocities_[i].values[k] - static_cast<Scalar>(v[k]),
+                   dw = velocities_[i].values[3 + k] - static_cast<Scalar>(w[k]);
+      impulse_velocities_[i].values[k] += dv;
+      impulse_velocities_[i].values[3 + k] += dw;
       v[k] += static_cast<Real>(dv);
       w[k] += static_cast<Real>(dw);
     }
@@ -191,13 +196,14 @@ void Wide<Scalar, JointEffect>::sweep(StepContext& step, void (*friction_pass)(c
 
 /// An impact is over in one substep: the next one starts from the impulses that it started from.
 template <class Scalar, class JointEffect>
-void Wide<Scalar, JointEffect>::forget_impacts() {
-  if (fastest_ > 0) set_by_set([&](std::size_t begin, std::size_t end) { passes.restore(bundles(begin, end)); });
+void WideSolver<Scalar, JointEffect>::forget_impacts() {
+  if (fastest_ > 0)
+    set_by_set([&](std::size_t begin, std::size_t end) { passes.restore_impulses(bundles(begin, end)); });
   fastest_ = 0;
 }
 
 template <class Scalar, class JointEffect>
-void Wide<Scalar, JointEffect>::done(World& world) {
+void WideSolver<Scalar, JointEffect>::done(World& world) {
   if (fastest_ > 0) measured_ = measure();  // an impact's impulses are about to be forgotten
   forget_impacts();
   at_work_->each(packed_.locations.size(), 256, [&](Part part) {
@@ -207,12 +213,12 @@ void Wide<Scalar, JointEffect>::done(World& world) {
 }
 
 template <class Scalar, class JointEffect>
-void Wide<Scalar, JointEffect>::write_back(Contact& contact, std::size_t i) const {
-  packed_.write_back(i, moved_, known_[i], contact);
+void WideSolver<Scalar, JointEffect>::write_back(Contact& contact, std::size_t i) const {
+  packed_.write_back(i, displacements_, known_[i], contact);
 }
 
 template <class Scalar, class JointEffect>
-Solved Wide<Scalar, JointEffect>::measure() const {
+Solved WideSolver<Scalar, JointEffect>::measure() const {
   Solved all = solved_of(joints.joint_rows());
   all.rows += 3 * static_cast<int>(packed_.locations.size());
   all.residual = std::max(all.residual, packed_.residual());
@@ -221,9 +227,9 @@ Solved Wide<Scalar, JointEffect>::measure() const {
 
 template Passes<float> passes_of_this_processor(int lanes);
 template Passes<double> passes_of_this_processor(int lanes);
-template class Wide<float>;
-template class Wide<double>;
-template class Wide<float, SteadyJoints>;
-template class Wide<double, SteadyJoints>;
+template class WideSolver<float>;
+template class WideSolver<double>;
+template class WideSolver<float, SteadyJoints>;
+template class WideSolver<double, SteadyJoints>;
 
 }  // namespace pushback
