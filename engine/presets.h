@@ -11,10 +11,10 @@ namespace pushback {
 
 /// For pictures and games: everything in 8 substeps, in float. A stack of ten sinks by 7 mm, and stacks of more than 24 boxes buckle
 /// (chapter 12).
-struct Fast : Wide<float> {
+struct Fast : WideSolver<float> {
   Fast() {
     substeps = 8;
-    stays_within = Real(5e-3);
+    rebuild_fraction = Real(5e-3);
   }
 };
 

@@ -1,7 +1,7 @@
 // Bodies that are moved by hand, and conveyors: what they carry obeys closed forms, whatever solver there is.
 
 #include "pushback/common/bodies/random.h"
-#include "pushback/engine/substeps/wide.h"
+#include "pushback/engine/substeps/wide_solver.h"
 #include "pushback/tools/catalogue/solvers.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
@@ -28,7 +28,7 @@ std::vector<Tried> tried() {
   for (const char* name :
        {"11 substeps", "12 soft contacts", "21 detected once", "22 wide", "26 by island", "all together"})
     all.push_back({name, solver_named(name).solver, 1, rounding});
-  all.push_back({"22 wide, of floats", Wide<float>{}, 1, Real(1e-3)});
+  all.push_back({"22 wide, of floats", WideSolver<float>{}, 1, Real(1e-3)});
   return all;
 }
 

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "pushback/common/experiment/iterated_problem.h"
-#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/direct/row_matrix.h"
 #include "pushback/engine/direct/sweeping_methods.h"
 
 namespace pushback {

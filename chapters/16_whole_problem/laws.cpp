@@ -21,7 +21,7 @@ BrokenLaws broken_laws(const ContactProblem& problem, const Vector& r) {
     squared.pull += square(std::max(0.0, -impulse[0]));
     squared.complementarity += square(push * parting);
     squared.cone += square(std::max(0.0, friction.norm() - bound));
-    squared.dissipation += (bound * slip + slip.norm() * drawn_back_to_disc(friction, bound)).squaredNorm();
+    squared.dissipation += (bound * slip + slip.norm() * projected_to_disc(friction, bound)).squaredNorm();
     unit += (problem.q.segment<3>(3 * c) / scale[c]).squaredNorm();
   }
   if (!(unit > 0)) unit = 1;

@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
       const Real h = e.dt();
       for (const auto& [name, fill] : {std::pair{"A of a stack of six", +[](World& world) { stack(world, 6); }},
                                        std::pair{"A of a pyramid of five", +[](World& world) { pyramid(world, 5); }}}) {
-        const SparseRows matrix = matrix_of(Snapshot(fill, h).normals);
+        const SparseMatrix matrix = matrix_of(Snapshot(fill, h).normals);
         const auto last = static_cast<Real>(matrix.rows() - 1);
         e.panel({.title = name,
                  .x_label = "row",

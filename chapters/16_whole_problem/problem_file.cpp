@@ -197,7 +197,7 @@ std::string problem_text(const ContactProblem& problem) {
   for (Index row = 0; row < contacts; ++row) {
     std::vector<std::pair<Index, Eigen::Matrix3d>> found;  // few, in any order
     for (Index i = 0; i < 3; ++i) {
-      for (SparseRows::InnerIterator it(problem.w, 3 * row + i); it; ++it) {
+      for (SparseMatrix::InnerIterator it(problem.w, 3 * row + i); it; ++it) {
         const Index column = it.col() / 3;
         auto at = std::find_if(found.begin(), found.end(), [&](const auto& block) { return block.first == column; });
         if (at == found.end()) at = found.insert(at, {column, Eigen::Matrix3d::Zero()});

@@ -5,7 +5,7 @@
 
 #include "pushback/common/experiment/plot.h"
 #include "pushback/common/world/situations.h"
-#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/direct/row_matrix.h"
 #include "pushback/engine/direct/sweeping_methods.h"
 
 namespace pushback::whole_problem_scenes {
@@ -25,10 +25,10 @@ struct Snapshot {
 };
 
 /// The entries of A that are not 0.
-inline Curve pattern(const SparseRows& a) {
+inline Curve pattern(const SparseMatrix& a) {
   Curve curve{"", {}, {}, line_colour(0), Curve::Style::points};
   for (Eigen::Index row = 0; row < a.rows(); ++row) {
-    for (SparseRows::InnerIterator it(a, row); it; ++it) {
+    for (SparseMatrix::InnerIterator it(a, row); it; ++it) {
       if (it.value() == 0) continue;
       curve.x.push_back(static_cast<Real>(it.col()));
       curve.y.push_back(static_cast<Real>(row));
@@ -80,7 +80,7 @@ struct Signs {
 
 /// Sweeps the contacts `sweeps` times without friction. The bodies were at rest before this step.
 inline Signs signs(const Snapshot& snapshot, int sweeps) {
-  const SparseRows a = matrix_of(snapshot.normals);
+  const SparseMatrix a = matrix_of(snapshot.normals);
   const Vector b = speeds_of(snapshot.normals);
   const auto error = [&](const Vector& impulses) {
     Vector speeds(std::ssize(snapshot.world.bodies));
@@ -97,7 +97,7 @@ inline Signs signs(const Snapshot& snapshot, int sweeps) {
   Signs found;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     const Vector before = impulses;
-    for (Eigen::Index i = 0; i < b.size(); ++i) project(a, b, i, 0, 1e300, impulses);
+    for (Eigen::Index i = 0; i < b.size(); ++i) project_row(a, b, i, 0, 1e300, impulses);
     found.correction.push_back((impulses - before).cwiseAbs().maxCoeff());
     found.speed.push_back(std::max(0.0, -(a * impulses + b).minCoeff()) / -b.minCoeff());
     found.error.push_back(error(impulses) / at_start);

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
-#include "pushback/engine/direct/best.h"
-#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/direct/row_matrix.h"
+#include "pushback/engine/direct/solve_best.h"
 
 namespace pushback {
 

@@ -31,7 +31,7 @@ inline IteratedProblem::Method swept_then_newton(const SharedProblem& problem, i
               return true;
             }
             Vector farther = from;
-            const NewtonWork work = newton(*problem, farther, {iterated_to, ++rounds, 1.5e10});
+            const ProximalStats work = solve_proximal(*problem, farther, {iterated_to, ++rounds, 1.5e10});
             if (work.systems <= systems) return false;
             systems = work.systems;
             r = farther;

@@ -31,9 +31,9 @@ Solution solve_frictionless(const ContactProblem& problem) {
     throw InvalidInput("pivoting solves contacts without friction alone: mu is not 0");
   std::vector<Eigen::Triplet<double>> normal_entries;
   for (Eigen::Index i = 0; i < problem.contacts(); ++i)
-    for (SparseRows::InnerIterator entry(problem.w, 3 * i); entry; ++entry)
+    for (SparseMatrix::InnerIterator entry(problem.w, 3 * i); entry; ++entry)
       if (entry.col() % 3 == 0) normal_entries.emplace_back(i, entry.col() / 3, entry.value());
-  SparseRows a(problem.contacts(), problem.contacts());
+  SparseMatrix a(problem.contacts(), problem.contacts());
   a.setFromTriplets(normal_entries.begin(), normal_entries.end());
   const auto every_third = Eigen::seqN(0, problem.contacts(), 3);
   const std::optional<Pivoted> found = solve_by_pivoting(a, problem.q(every_third));

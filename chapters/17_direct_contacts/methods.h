@@ -1,7 +1,7 @@
 /// All methods that solve a contact problem, by name.
 #pragma once
 
-#include "pushback/engine/direct/best.h"
+#include "pushback/engine/direct/solve_best.h"
 
 namespace pushback {
 

@@ -81,7 +81,7 @@ void sharpen(const Eigen::MatrixXd& a, const Vector& b, Vector& impulses) {
 
 }  // namespace
 
-std::optional<Pivoted> solve_by_pivoting(const SparseRows& a, const Vector& b) {
+std::optional<Pivoted> solve_by_pivoting(const SparseMatrix& a, const Vector& b) {
   Pivoted result{Vector::Zero(b.size()), 0};
   if (b.size() == 0 || b.minCoeff() >= 0) return result;
   double of_a = 0;  // A and b are scaled to about 1, so that the same values count as 0 in all problems
@@ -110,7 +110,7 @@ std::optional<Pivoted> solve_by_pivoting(const SparseRows& a, const Vector& b) {
   return result;
 }
 
-double complementarity_error(const SparseRows& a, const Vector& b, const Vector& impulses) {
+double complementarity_error(const SparseMatrix& a, const Vector& b, const Vector& impulses) {
   return impulses.cwiseMin(a * impulses + b).cwiseAbs().maxCoeff();
 }
 

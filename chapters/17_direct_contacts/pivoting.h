@@ -19,9 +19,9 @@ struct Pivoted {
 /// of about 1e-7 of the largest. This determines which rows press, and those rows are then solved with the original b. Returns
 /// nothing if no l exists, or if 100 pivots per row are not enough.
 ///   Cottle, Pang, Stone, "The Linear Complementarity Problem", 1992, 4.4 and 4.9
-std::optional<Pivoted> solve_by_pivoting(const SparseRows& a, const Vector& b);
+std::optional<Pivoted> solve_by_pivoting(const SparseMatrix& a, const Vector& b);
 
 /// The largest |min(l_i, (A l + b)_i)|, in N s or m/s, whichever is smaller. It is 0 exactly if l is a solution.
-double complementarity_error(const SparseRows& a, const Vector& b, const Vector& impulses);
+double complementarity_error(const SparseMatrix& a, const Vector& b, const Vector& impulses);
 
 }  // namespace pushback

@@ -6,7 +6,7 @@
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/common/world/situations.h"
 #include "pushback/engine/direct/direct_joints.h"
-#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/direct/row_matrix.h"
 
 namespace pushback::direct_joints_scenes {
 
@@ -47,7 +47,7 @@ inline ChainSolved solve_chain(int count, Real h, int most) {
 
   ChainSolved chain;
   chain.rows = at_once.joint_rows().size();
-  chain.numbers = at_once.matrix().numbers();
+  chain.numbers = at_once.matrix().nonzeros();
   chain.at_once = speeds_of(rows()).cwiseAbs().maxCoeff() / before.cwiseAbs().maxCoeff();
 
   const auto error = [&] {

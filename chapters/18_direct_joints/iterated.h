@@ -5,7 +5,7 @@
 
 #include "pushback/common/experiment/iterated_problem.h"
 #include "pushback/engine/direct/direct_joints.h"
-#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/direct/row_matrix.h"
 
 namespace pushback::direct_joints_scenes {
 

@@ -109,10 +109,10 @@ class FittingSolver : public ForwardingSolver {
 };
 
 /// All bodies take part; contacts are detected only if the scene has bodies that can touch.
-struct EverybodyFitting : Everybody {
+struct DetectedIfTouching : AllBodies {
   bool touching = true;
   void find_contacts(World& world, const Margin& margin = {}) const {
-    if (touching) Everybody::find_contacts(world, margin);
+    if (touching) AllBodies::find_contacts(world, margin);
     else world.contacts.clear();
   }
 };
@@ -139,7 +139,7 @@ class OnlyWhatIsNeeded {
   void look(const World& world);
 
   FittingSolver solver_;
-  EverybodyFitting everybody_;
+  DetectedIfTouching all_bodies_;
   std::size_t bodies_ = 0, forces_ = 0, joints_ = 0;
 };
 

@@ -51,8 +51,8 @@ int main(int argc, char** argv) {
   Experiment e("20_only_what_is_needed", "What may a scene leave out?");
   Sleep sleep;
   e.parameter({"--still-for", "s", "s", "How long a body keeps its place before it may sleep", 0.01, 10},
-              &sleep.seconds);
-  e.parameter({"--place", "p", "m", "How far its surface may stray in that time", 0.0001, 0.5}, &sleep.place);
+              &sleep.time_to_sleep);
+  e.parameter({"--place", "p", "m", "How far its surface may stray in that time", 0.0001, 0.5}, &sleep.rest_distance);
   FivePiles piles;
   e.parameter({"--speed", "v", "m/s", "Speed of the ball that rolls towards the piles", 1, 15}, &piles.speed);
   e.parameter({"--mass-ratio", "", "", "Mass of that ball, in masses of a box", 0.05, 50}, &piles.mass_ratio);

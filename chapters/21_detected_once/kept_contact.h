@@ -108,7 +108,7 @@ struct KeptContact {
   }
   /// Sets the initial impulses (chapter 07). The solver applies them to the bodies at the start of each substep.
   void guess(const Vec3& impulse_before) {
-    const Vec3 within = within_cone(impulse_before, normal.n, friction);
+    const Vec3 within = clamped_to_cone(impulse_before, normal.n, friction);
     normal.impulse = within.dot(normal.n);
     if (friction == 0) return;
     tangent1.impulse = within.dot(tangent1.n);

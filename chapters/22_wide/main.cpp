@@ -23,9 +23,9 @@ Ink ink_of_set(std::size_t set) {
 
 /// Draws lines, in front of boxes of 1 m, from the middle of each body of a pair to their contact.
 void draw_sets(Picture& picture, const World& world, Real /*time*/) {
-  const Sets sets = sets_in(world);
+  const PairSets sets = sets_in(world);
   for (std::size_t set = 0; set < sets.size(); ++set) {
-    for (const PairOfBodies& pair : sets[set]) {
+    for (const TouchingPair& pair : sets[set]) {
       Vec3 touch = Vec3::Zero();
       for (std::size_t i = 0; i < pair.count; ++i)
         touch += world.contacts[pair.first + i].point / static_cast<Real>(pair.count);
@@ -61,8 +61,8 @@ int main(int argc, char** argv) {
               &heavy.mass_ratio);
   return e.run(argc, argv, [&] {
     DetectedOnce once;
-    Wide<double> doubles;
-    Wide<float> floats;
+    WideSolver<double> doubles;
+    WideSolver<float> floats;
     once.substeps = doubles.substeps = floats.substeps = substeps;
     const auto in_three_ways = [&] {
       e.variant("chapter 21", once).with_exactly(1).coloured(0).without_curves();
@@ -106,14 +106,14 @@ int main(int argc, char** argv) {
              .pictures = false});
     watch_stack(e);
     const auto in_order = [&](const char* name, auto order) -> Variant& {
-      Wide<double> solver = doubles;
-      solver.sets_of = order;
+      WideSolver<double> solver = doubles;
+      solver.make_sets = order;
       return e.variant(name, solver).with_exactly(1);
     };
     in_order("from the ground up", one_by_one).coloured(0).without_curves();
     in_order("from the top down", from_the_last).coloured(3).without_curves();
     in_order("shuffled", shuffled).coloured(4).without_curves();
-    in_order("by colours", coloured).coloured(2).without_curves();
+    in_order("by colours", colour_pairs).coloured(2).without_curves();
 
     scene_of_heavy(e, heavy);
     in_three_ways();

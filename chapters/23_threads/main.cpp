@@ -3,15 +3,15 @@
 #include "pushback/common/experiment/marks.h"
 #include "pushback/common/render/palette.h"
 #include "pushback/common/world/steps_in.h"
-#include "pushback/engine/substeps/crew.h"
+#include "pushback/engine/substeps/thread_pool.h"
 
 using namespace pushback;
 using namespace pushback::threads_scenes;
 
 namespace {
 
-Sets sets_in(const World& world) {
-  return coloured(touching_pairs(world.contacts), world);
+PairSets sets_in(const World& world) {
+  return colour_pairs(touching_pairs(world.contacts), world);
 }
 
 /// From dark to light, unlike chapter 22's colours, which stand for sets.
@@ -29,11 +29,11 @@ std::vector<std::pair<Ink, std::string>> colours_of(int threads) {
 
 /// Draws the set with this number: lines, in front of boxes of 1 m, from the middle of each box of a pair to their contact.
 void draw_set(Picture& picture, const World& world, std::size_t set, std::size_t threads, const Vec3& shift) {
-  const Sets sets = sets_in(world);
+  const PairSets sets = sets_in(world);
   if (set >= sets.size()) return;
   for (std::size_t k = 0; k < sets[set].size(); ++k) {
-    const PairOfBodies& pair = sets[set][k];
-    const std::size_t thread = thread_of(k / lanes_of_bundle, bundles_of(sets[set]), threads);
+    const TouchingPair& pair = sets[set][k];
+    const std::size_t thread = thread_of(k / lanes_per_bundle, bundles_of(sets[set]), threads);
     Vec3 touch = Vec3::Zero();
     for (std::size_t i = 0; i < pair.count; ++i)
       touch += world.contacts[pair.first + i].point / static_cast<Real>(pair.count);
@@ -47,19 +47,20 @@ void draw_set(Picture& picture, const World& world, std::size_t set, std::size_t
   }
 }
 
-/// A crew of threads. In a page, which has only one thread, that one does the parts of all, the last first, with the same bits.
-std::shared_ptr<Workers> crew_of(int threads, [[maybe_unused]] bool however_little = false) {
+/// A pool of threads. In a page, which has only one thread, that one does the parts of all, the last first, with the same bits.
+std::shared_ptr<Workers> pool_of(int threads, [[maybe_unused]] bool always_split = false) {
 #ifdef __EMSCRIPTEN__
   return std::make_shared<OneAfterTheOther>(4 * static_cast<std::size_t>(threads), true);
 #else
-  return std::make_shared<Crew>(threads, however_little);
+  return std::make_shared<ThreadPool>(threads, always_split);
 #endif
 }
 
 /// A world to compare others with. It continues from the time of the last call.
 class Beside {
  public:
-  Beside(std::function<void(World&)> fill, Wide<float> solver) : fill_(std::move(fill)), solver_(std::move(solver)) {}
+  Beside(std::function<void(World&)> fill, WideSolver<float> solver)
+      : fill_(std::move(fill)), solver_(std::move(solver)) {}
 
   const World& after(Real seconds, Real dt) {
     const int steps = steps_in(seconds, dt);
@@ -74,7 +75,7 @@ class Beside {
 
  private:
   std::function<void(World&)> fill_;
-  Wide<float> solver_;
+  WideSolver<float> solver_;
   World world_;
   int done_ = 0;
 };
@@ -117,10 +118,10 @@ int main(int argc, char** argv) {
       for (Body& body : world.bodies)
         if (body.movable()) body.coloured(1);
     };
-    const auto wide_with = [substeps](std::shared_ptr<Workers> crew) {
-      Wide<float> solver;
+    const auto wide_with = [substeps](std::shared_ptr<Workers> pool) {
+      WideSolver<float> solver;
       solver.substeps = substeps;
-      solver.crew = std::move(crew);
+      solver.workers = std::move(pool);
       return solver;
     };
     const Real wide = static_cast<Real>(base), apart = wide + 2;
@@ -151,7 +152,7 @@ int main(int argc, char** argv) {
                               .from = every,
                               .height = 420,
                               .note = "the sets, in the order in which they are solved"}});
-    e.variant(fmt::format("{} threads", threads), wide_with(crew_of(threads)))
+    e.variant(fmt::format("{} threads", threads), wide_with(pool_of(threads)))
         .with_exactly(1)
         .coloured(1)
         .without_curves();
@@ -169,16 +170,16 @@ int main(int argc, char** argv) {
     e.number("bodies elsewhere than with one thread", "",
              [alone](const Run& run) { return elsewhere(run.world, alone->after(run.world.time, run.dt)); });
     for (const int count : {2, 3, 4, 7})
-      e.variant(fmt::format("{} threads", count), wide_with(crew_of(count, true))).with_exactly(1).without_curves();
+      e.variant(fmt::format("{} threads", count), wide_with(pool_of(count, true))).with_exactly(1).without_curves();
 
     e.study([=, &e] {
-      const auto of_parts = [&](Sets (*sets_of)(const std::vector<PairOfBodies>&, const World&),
+      const auto of_parts = [&](PairSets (*make_sets)(const std::vector<TouchingPair>&, const World&),
                                 bool from_the_last) -> World {
-        Wide<float> solver = wide_with(std::make_shared<OneAfterTheOther>(4, from_the_last));
-        solver.sets_of = sets_of;
+        WideSolver<float> solver = wide_with(std::make_shared<OneAfterTheOther>(4, from_the_last));
+        solver.make_sets = make_sets;
         return Beside(fill_pyramid, solver).after(e.dt(), e.dt());
       };
-      const Real by_colours = elsewhere(of_parts(coloured, true), of_parts(coloured, false)),
+      const Real by_colours = elsewhere(of_parts(colour_pairs, true), of_parts(colour_pairs, false)),
                  in_one_set = elsewhere(of_parts(all_in_one, true), of_parts(all_in_one, false));
       e.remark(fmt::format(
           "Each set in four parts, done from the last to the first instead of from the first to the last: after "

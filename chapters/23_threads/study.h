@@ -2,20 +2,20 @@
 #pragma once
 
 #include "pushback/common/world/measure.h"
-#include "pushback/engine/substeps/wide.h"
+#include "pushback/engine/substeps/wide_solver.h"
 
 namespace pushback::threads_scenes {
 
 /// The number of bundles of a set.
-inline std::size_t bundles_of(const std::vector<PairOfBodies>& set) {
-  return (set.size() + lanes_of_bundle - 1) / lanes_of_bundle;
+inline std::size_t bundles_of(const std::vector<TouchingPair>& set) {
+  return (set.size() + lanes_per_bundle - 1) / lanes_per_bundle;
 }
 /// The index of the thread that solves the bundle, as Workers divides them.
 inline std::size_t thread_of(std::size_t bundle, std::size_t bundles, std::size_t threads) {
   return ((bundle + 1) * threads - 1) / bundles;
 }
 /// The largest possible speedup of a pass: all bundles, divided by the sum over the sets of the bundles of the busiest thread.
-inline Real at_best(const Sets& sets, std::size_t threads) {
+inline Real at_best(const PairSets& sets, std::size_t threads) {
   std::size_t all = 0, busiest = 0;
   for (const auto& set : sets) {
     all += bundles_of(set);
@@ -25,7 +25,7 @@ inline Real at_best(const Sets& sets, std::size_t threads) {
 }
 
 /// The mistake to avoid: one set, as if any two pairs could be solved side by side.
-inline Sets all_in_one(const std::vector<PairOfBodies>& pairs, const World& /*world*/) {
+inline PairSets all_in_one(const std::vector<TouchingPair>& pairs, const World& /*world*/) {
   return {pairs};
 }
 

@@ -89,7 +89,7 @@ int main(int argc, char** argv) {
                .fill = [&motion](World& world) { motion.begin(world); },
                .seconds = static_cast<Real>(motion.seconds),
                .pictures = false});
-      e.variant("substeps", at_every_speed<Wide<Real>>()).with_exactly(1).coloured(0);
+      e.variant("substeps", at_every_speed<WideSolver<Real>>()).with_exactly(1).coloured(0);
       e.variant("by island", at_every_speed<IslandSolver>()).with_exactly(1).coloured(2);
       const auto error = [&truth](const World& world) { return truth.error(world); };
       if (motion.name == "chain") e.series("error", "mm", error, true);

@@ -28,12 +28,12 @@ class Workers {
   /// The workers for a step of so many bodies. One thread runs a step of fewer than `least_bodies`, because waking another thread
   /// would take longer than its share of the step.
   static constexpr std::size_t least_bodies = 256;
-  Workers& of_bodies(std::size_t bodies) { return however_little_ || bodies >= least_bodies ? *this : alone(); }
+  Workers& of_bodies(std::size_t bodies) { return always_split_ || bodies >= least_bodies ? *this : alone(); }
 
   /// The number of parts into which `each` divides so many items. Two or more parts have at least `least` items each, because
   /// sharing less work takes longer than running it on one thread.
   std::size_t parts(std::size_t items, std::size_t least) const {
-    return std::clamp<std::size_t>(items / (however_little_ ? 1 : least), 1, most_parts_);
+    return std::clamp<std::size_t>(items / (always_split_ ? 1 : least), 1, most_parts_);
   }
   /// Calls `act(part)` for each part, in no particular order, and returns when all calls have returned. The division depends only
   /// on the two numbers and the settings of the workers.
@@ -45,16 +45,16 @@ class Workers {
   }
 
  protected:
-  /// With `however_little`, any amount of work is shared, which exposes threading errors in small scenes.
-  explicit Workers(std::size_t most_parts, bool however_little = false)
-      : most_parts_(most_parts), however_little_(however_little) {}
+  /// With `always_split`, any amount of work is shared, which exposes threading errors in small scenes.
+  explicit Workers(std::size_t most_parts, bool always_split = false)
+      : most_parts_(most_parts), always_split_(always_split) {}
 
  private:
   virtual void share(std::size_t count, const std::function<void(std::size_t index)>& act) {
     for (std::size_t k = 0; k < count; ++k) act(k);
   }
   std::size_t most_parts_ = 1;
-  bool however_little_ = false;
+  bool always_split_ = false;
 };
 
 inline Workers& alone() {

@@ -11,22 +11,22 @@
 
 namespace pushback {
 
-Standing::Standing(const Polyhedron& which, const Vec3& centre, const Mat3& axes) : solid(which) {
+PlacedPolyhedron::PlacedPolyhedron(const Polyhedron& which, const Vec3& centre, const Mat3& axes) : solid(which) {
   for (std::size_t i = 0; i < solid.corners.size(); ++i) corners[i] = centre + axes * solid.corners[i];
   for (std::size_t i = 0; i < solid.faces.size(); ++i) normals[i] = axes * solid.faces[i].normal;
 }
 
-Real Standing::lowest(const Vec3& n) const {
+Real PlacedPolyhedron::lowest(const Vec3& n) const {
   Real least = n.dot(corners[0]);
   for (std::size_t i = 1; i < solid.corners.size(); ++i) least = std::min(least, n.dot(corners[i]));
   return least;
 }
 
-Real Standing::highest(const Vec3& n) const {
+Real PlacedPolyhedron::highest(const Vec3& n) const {
   return -lowest(-n);
 }
 
-int face_below(const Standing& hull, const Vec3& n, Real clearly) {
+int face_below(const PlacedPolyhedron& hull, const Vec3& n, Real clearly) {
   const Real low = hull.lowest(n) + clearly;
   int best = 0;
   Real most = -std::numeric_limits<Real>::max();
@@ -57,9 +57,9 @@ struct EdgeCrossing {
 };
 
 /// The overlap of the hulls along the normal of each face, m.
-using FaceDepths = std::array<Real, Standing::most_faces>;
+using FaceDepths = std::array<Real, PlacedPolyhedron::most_faces>;
 
-bool pass_each_other(const Standing& hull, const FaceDepths& depths, const Vec3& normal, Real clearly) {
+bool pass_each_other(const PlacedPolyhedron& hull, const FaceDepths& depths, const Vec3& normal, Real clearly) {
   for (std::size_t f = 0; f < hull.solid.faces.size(); ++f) {
     if (passes_at_face(hull.normals[f], depths[f], normal, clearly)) return true;
   }
@@ -68,7 +68,7 @@ bool pass_each_other(const Standing& hull, const FaceDepths& depths, const Vec3&
 
 /// False if a face of `hull` has all of `other` beyond it.
 bool try_faces(const HullPair& pair, bool of_b, FaceDepths& depths, HullFace& best) {
-  const Standing &hull = of_b ? pair.b : pair.a, &other = of_b ? pair.a : pair.b;
+  const PlacedPolyhedron &hull = of_b ? pair.b : pair.a, &other = of_b ? pair.a : pair.b;
   for (int f = 0; f < int(hull.solid.faces.size()); ++f) {
     const Vec3& n = hull.normal(f);
     const Real depth = n.dot(hull.on(f)) - other.lowest(n);
@@ -122,7 +122,7 @@ void touch_at_edges(const HullPair& pair, const EdgeCrossing& edges, Manifold& f
             crossing(edges.edge_a, edges.edge_b));
 }
 
-void touch(const Standing& a, const Standing& b, Manifold& found) {
+void touch(const PlacedPolyhedron& a, const PlacedPolyhedron& b, Manifold& found) {
   const HullPair pair{a, b, Real(1e-3) * std::min(a.solid.half_width, b.solid.half_width),
                       std::max(a.solid.rounding, b.solid.rounding), found.margin};
   HullFace face;
@@ -149,12 +149,12 @@ void touch(const Standing& a, const Standing& b, Manifold& found) {
 }  // namespace
 
 void touch(const Placed<Hull>& a, const Placed<Hull>& b, Manifold& found) {
-  touch(Standing(*a.shape.solid, a.centre, a.axes), Standing(*b.shape.solid, b.centre, b.axes), found);
+  touch(PlacedPolyhedron(*a.shape.solid, a.centre, a.axes), PlacedPolyhedron(*b.shape.solid, b.centre, b.axes), found);
 }
 
 void touch(const Placed<Hull>& a, const Placed<Box>& b, Manifold& found) {
   const Polyhedron box = polyhedron_of(b.shape);
-  touch(Standing(*a.shape.solid, a.centre, a.axes), Standing(box, b.centre, b.axes), found);
+  touch(PlacedPolyhedron(*a.shape.solid, a.centre, a.axes), PlacedPolyhedron(box, b.centre, b.axes), found);
 }
 
 namespace {
@@ -180,7 +180,7 @@ void put_in_a_circle(Candidate* candidates, int count) {
 // stand on an edge of one face and a corner of another.
 void touch(const Placed<HalfSpace>& a, const Placed<Hull>& b, Manifold& found) {
   found.normal = a.axes * a.shape.normal;
-  const Standing hull(*b.shape.solid, b.centre, b.axes);
+  const PlacedPolyhedron hull(*b.shape.solid, b.centre, b.axes);
   const auto [across, over] = tangents_of(found.normal);
   std::array<Candidate, most_corners> candidates;
   int count = 0;

@@ -9,13 +9,13 @@
 namespace pushback {
 
 /// A polyhedron in its pose: in world axes, m, relative to the first body of the pair.
-struct Standing {
+struct PlacedPolyhedron {
   static constexpr int most_faces = 2 * most_corners - 4;
   const Polyhedron& solid;
   std::array<Vec3, most_corners> corners;
   std::array<Vec3, most_faces> normals;
 
-  Standing(const Polyhedron& which, const Vec3& centre, const Mat3& axes);
+  PlacedPolyhedron(const Polyhedron& which, const Vec3& centre, const Mat3& axes);
   const Vec3& corner(int i) const { return corners[std::size_t(i)]; }
   const Vec3& normal(int face) const { return normals[std::size_t(face)]; }
   const Vec3& on(int face) const { return corner(solid.faces[std::size_t(face)].corners[0]); }
@@ -30,12 +30,12 @@ struct Standing {
 /// The incident face against a reference face with the normal n. Of the faces that reach down to the lowest corner along n, it is the
 /// one whose normal is nearest to -n. A face with an edge that lies flat there comes before all others, because a wedge rests on its
 /// whole blade. Height differences up to `clearly` (m) and differences of n . normal up to 1e-3 do not count; ties go to the first.
-int face_below(const Standing& hull, const Vec3& n, Real clearly);
+int face_below(const PlacedPolyhedron& hull, const Vec3& n, Real clearly);
 
 /// `clearly` (m): an overlap is less than another only by more than this, so that rounding does not choose. `rounding` and `margin`:
 /// as in BoxPair.
 struct HullPair {
-  const Standing &a, &b;
+  const PlacedPolyhedron &a, &b;
   Real clearly, rounding, margin;
 };
 

@@ -23,8 +23,8 @@ std::uint32_t name_of_corner(const Polyhedron& solid, int edge, int other, bool 
 }  // namespace
 
 bool touch_at_faces(const HullPair& pair, const HullFace& face, Manifold& found) {
-  const Standing& hull = face.of_b ? pair.b : pair.a;  // the hull with the reference face
-  const Standing& incident = face.of_b ? pair.a : pair.b;
+  const PlacedPolyhedron& hull = face.of_b ? pair.b : pair.a;  // the hull with the reference face
+  const PlacedPolyhedron& incident = face.of_b ? pair.a : pair.b;
   const Polyhedron::Face& reference_face = hull.solid.faces[std::size_t(face.face)];
   const Vec3& normal = hull.normal(face.face);
   const Vec3& origin = hull.on(face.face);

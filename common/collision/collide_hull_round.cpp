@@ -21,7 +21,7 @@ struct Stretch {
 };
 
 /// The stretch of the core inside the hull.
-Stretch inside(const Standing& hull, const Round& core) {
+Stretch inside(const PlacedPolyhedron& hull, const Round& core) {
   Stretch stretch;
   for (int f = 0; f < int(hull.solid.faces.size()); ++f) {
     stretch.keep_below(hull.normal(f).dot(core.centre - hull.on(f)), hull.normal(f).dot(core.half));
@@ -30,7 +30,7 @@ Stretch inside(const Standing& hull, const Round& core) {
 }
 
 /// The stretch of the core above or below a face.
-Stretch beside_face(const Standing& hull, const Round& core, int face) {
+Stretch beside_face(const PlacedPolyhedron& hull, const Round& core, int face) {
   Stretch stretch;
   const Polyhedron::Face& sides = hull.solid.faces[std::size_t(face)];
   for (std::size_t k = 0; k < sides.corners.size(); ++k) {
@@ -43,7 +43,7 @@ Stretch beside_face(const Standing& hull, const Round& core, int face) {
 }
 
 /// The stretch of the core between the planes perpendicular to an edge at its ends.
-Stretch beside_edge(const Standing& hull, const Round& core, int edge) {
+Stretch beside_edge(const PlacedPolyhedron& hull, const Round& core, int edge) {
   Stretch stretch;
   const Vec3 along = hull.along(edge).normalized();
   const Polyhedron::Edge& ends = hull.solid.edges[std::size_t(edge)];
@@ -52,7 +52,7 @@ Stretch beside_edge(const Standing& hull, const Round& core, int edge) {
   return stretch;
 }
 
-Nearest nearest_to_edge(const Standing& hull, const Round& core, int edge) {
+Nearest nearest_to_edge(const PlacedPolyhedron& hull, const Round& core, int edge) {
   const Vec3 half = hull.along(edge) / 2;
   const Vec3 middle = hull.corner(hull.solid.edges[std::size_t(edge)].from) + half;
   return nearest({half, core.half, core.centre - middle});
@@ -67,7 +67,7 @@ struct Gap {
     if (from_hull.squaredNorm() < squared) *this = {at, from_hull, from_hull.squaredNorm()};
   }
 };
-Gap gap_between(const Standing& hull, const Round& core) {
+Gap gap_between(const PlacedPolyhedron& hull, const Round& core) {
   Gap gap;
   for (int e = 0; e < int(hull.solid.edges.size()); ++e) {
     const Nearest closest = nearest_to_edge(hull, core, e);
@@ -92,7 +92,7 @@ struct WayOut {
   int face = -1, edge = -1;
   Real depth = std::numeric_limits<Real>::max();  // m, of the core without its radius
 };
-WayOut way_out(const Standing& hull, const Round& core, Real clearly) {
+WayOut way_out(const PlacedPolyhedron& hull, const Round& core, Real clearly) {
   WayOut best;
   for (int f = 0; f < int(hull.solid.faces.size()); ++f) {
     const Vec3& n = hull.normal(f);
@@ -114,7 +114,7 @@ WayOut way_out(const Standing& hull, const Round& core, Real clearly) {
 }
 
 /// The point of the core, as t, that leaves the hull last on its way out.
-Real last_to_leave(const Standing& hull, const Round& core, const WayOut& way) {
+Real last_to_leave(const PlacedPolyhedron& hull, const Round& core, const WayOut& way) {
   if (way.edge >= 0) return nearest_to_edge(hull, core, way.edge).t;
   const Real climb = core.half.dot(way.normal);
   if (std::abs(climb) > parallel * core.half.norm()) return climb > 0 ? -1 : 1;
@@ -128,7 +128,7 @@ struct Support {
   Vec3 on;      // a point of it
   Stretch stretch;
 };
-std::optional<Support> support_of(const Standing& hull, const Round& core, const Vec3& normal, Real clearly) {
+std::optional<Support> support_of(const PlacedPolyhedron& hull, const Round& core, const Vec3& normal, Real clearly) {
   const Real length = core.half.norm();
   if (length == 0) return std::nullopt;
   constexpr Real near_copy = 1 - parallel * parallel / 2;
@@ -150,7 +150,7 @@ std::optional<Support> support_of(const Standing& hull, const Round& core, const
 }  // namespace
 
 void touch(const Placed<Hull>& a, const Round& b, Manifold& found) {
-  const Standing hull(*a.shape.solid, a.centre, a.axes);
+  const PlacedPolyhedron hull(*a.shape.solid, a.centre, a.axes);
   const Real clearly = Real(1e-3) * hull.solid.half_width;
   const Real rounding = hull.solid.rounding + rounding_of(b.radius);
   Real t, depth;

@@ -116,26 +116,26 @@ Variant& Variant::without_curves() {
 }
 
 void Experiment::scene(Scene scene) {
-  acts_.push_back({std::move(scene), {}, {}});
+  scene_records_.push_back({std::move(scene), {}, {}});
 }
 
 void Experiment::series(const std::string& name, const std::string& unit, std::function<Real(const World&)> of,
                         bool log_y) {
-  acts_.back().series.push_back({name, unit, std::move(of), log_y, true});
+  scene_records_.back().series.push_back({name, unit, std::move(of), log_y, true});
 }
 
 void Experiment::series_without_curves(const std::string& name, std::function<Real(const World&)> of) {
-  acts_.back().series.push_back({name, "", std::move(of), false, false});
+  scene_records_.back().series.push_back({name, "", std::move(of), false, false});
 }
 
 void Experiment::number(const std::string& name, const std::string& unit, std::function<Real(const Run&)> of) {
-  acts_.back().numbers.push_back({name, unit, std::move(of)});
+  scene_records_.back().numbers.push_back({name, unit, std::move(of)});
 }
 
 Variant& Experiment::add_variant(const std::string& name) {
   Variant& added = variants_.emplace_back();
   added.name = name;
-  added.scene = acts_.size() - 1;
+  added.scene = scene_records_.size() - 1;
   return added;
 }
 
@@ -156,7 +156,7 @@ void Experiment::study(std::function<void()> work) {
 }
 
 void Experiment::iterations(const std::string& of, std::function<IteratedProblem()> make) {
-  posed_.push_back({of, std::move(make)});
+  problems_.push_back({of, std::move(make)});
 }
 
 void Experiment::panel(Panel panel) {
@@ -170,10 +170,10 @@ void Experiment::remark(std::string sentence) {
 // ---- preparation -----------------------------------------------------------------------------------------------------
 
 void Experiment::describe(const std::function<void()>& define, const AnySolver* one_more) {
-  acts_.clear();
+  scene_records_.clear();
   variants_.clear();
   studies_.clear();
-  posed_.clear();
+  problems_.clear();
   define();
   if (one_more) add_to_all_scenes("mine", *one_more);
   refuse_twins();
@@ -216,10 +216,10 @@ class DetectingAsOften : public ForwardingSolver {
 /// Adds the solver after the last variant of each open scene, with that variant's sweeps, detections per step and changes to the scene.
 void Experiment::add_to_all_scenes(const std::string& name, const AnySolver& solver) {
   std::deque<Variant> all;
-  for (std::size_t act = 0; act < acts_.size(); ++act) {
+  for (std::size_t index = 0; index < scene_records_.size(); ++index) {
     for (const Variant& variant : variants_)
-      if (variant.scene == act) all.push_back(variant);
-    if (!acts_[act].scene.open || all.empty() || all.back().scene != act) continue;
+      if (variant.scene == index) all.push_back(variant);
+    if (!scene_records_[index].scene.open || all.empty() || all.back().scene != index) continue;
     Variant added = all.back();
     added.name = name;
     added.solver = DetectingAsOften(solver, added.solver ? added.plan(dt_).detections : 1);
@@ -236,11 +236,11 @@ void Experiment::add_to_all_scenes(const std::string& name, const AnySolver& sol
 
 /// Two variants with the same name would share a folder, and two scenes with the same key would share a sheet.
 void Experiment::refuse_twins() const {
-  for (std::size_t a = 0; a < acts_.size(); ++a) {
+  for (std::size_t a = 0; a < scene_records_.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
-      if (key_of(acts_[a].scene) == key_of(acts_[b].scene))
+      if (key_of(scene_records_[a].scene) == key_of(scene_records_[b].scene))
         throw InvalidInput(
-            fmt::format("two scenes have the key '{}': each needs one of its own", key_of(acts_[a].scene)));
+            fmt::format("two scenes have the key '{}': each needs one of its own", key_of(scene_records_[a].scene)));
     }
   }
   for (auto one = variants_.begin(); one != variants_.end(); ++one) {
@@ -282,7 +282,7 @@ void Experiment::check() const {
 }
 
 void Experiment::fill(World& world, const Variant& variant) const {
-  acts_[variant.scene].scene.fill(world);
+  scene_records_[variant.scene].scene.fill(world);
   if (variant.change) variant.change(world);
 }
 

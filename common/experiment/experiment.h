@@ -174,7 +174,7 @@ class Experiment {
     std::string name, unit;
     std::function<Real(const Run&)> of;
   };
-  struct Act {
+  struct SceneRecord {
     Scene scene;
     std::vector<Quantity> series;
     std::vector<Number> numbers;
@@ -183,7 +183,7 @@ class Experiment {
     std::string flag, what;
     SceneCommand act;
   };
-  struct Posed {
+  struct NamedProblem {
     std::string name;
     std::function<IteratedProblem()> make;
   };
@@ -211,12 +211,12 @@ class Experiment {
   std::string metrics(const std::vector<Result>& results) const;
   void report(std::vector<Result>& results, const std::filesystem::path& folder) const;
   void draw_sheets(std::vector<Result>& results, const std::filesystem::path& folder) const;
-  std::string sheet_file(std::size_t act) const;
-  bool is_first_with_pictures(std::size_t act) const;
+  std::string sheet_file(std::size_t index) const;
+  bool is_first_with_pictures(std::size_t index) const;
   std::string frames_folder(const Variant& variant) const;
   void make_films(const std::filesystem::path& folder) const;
-  std::string how_solved(std::size_t act) const;
-  std::optional<Sheet> sheet_of(std::size_t act, std::vector<Result>& results) const;
+  std::string how_solved(std::size_t index) const;
+  std::optional<Sheet> sheet_of(std::size_t index, std::vector<Result>& results) const;
   std::size_t steps_of(const Scene& scene) const;
   int sweeps_of(const Variant& variant) const;
   std::string shown_name(const Variant& variant) const;
@@ -224,12 +224,12 @@ class Experiment {
   std::string name_, question_;
   std::vector<ParameterWithDefault> parameters_;
   std::vector<Command> commands_;
-  std::vector<Act> acts_;
+  std::vector<SceneRecord> scene_records_;
   std::deque<Variant> variants_;  // not a vector, because `variant` returns references
   std::vector<Panel> own_panels_;
   std::vector<std::string> remarks_;
   std::vector<std::function<void()>> studies_;
-  std::vector<Posed> posed_;
+  std::vector<NamedProblem> problems_;
 
   std::string out_ = "renders", size_ = "640x360";
   int width_ = 0, height_ = 0;

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 Experiment::Shots::Shots(const Experiment& of, std::size_t index, const World& start, Output& output, Result& result)
     : experiment_(of),
       variant_(of.variants_[index]),
-      scene_(of.acts_[variant_.scene].scene),
+      scene_(of.scene_records_[variant_.scene].scene),
       index_(index),
       start_(start),
       output_(output),
@@ -67,27 +67,28 @@ Experiment::Shots::Shots(const Experiment& of, std::size_t index, const World& s
   take(start, 0);
 }
 
-bool Experiment::is_first_with_pictures(std::size_t act) const {
-  return acts_[act].scene.pictures && std::none_of(acts_.begin(), acts_.begin() + static_cast<std::ptrdiff_t>(act),
-                                                   [](const Act& one) { return one.scene.pictures; });
+bool Experiment::is_first_with_pictures(std::size_t index) const {
+  return scene_records_[index].scene.pictures &&
+         std::none_of(scene_records_.begin(), scene_records_.begin() + static_cast<std::ptrdiff_t>(index),
+                      [](const SceneRecord& one) { return one.scene.pictures; });
 }
 
 std::string Experiment::frames_folder(const Variant& variant) const {
   const std::string own = slug(variant.name);
-  return acts_.size() > 1 ? slug(acts_[variant.scene].scene.name) + "_" + own : own;
+  return scene_records_.size() > 1 ? slug(scene_records_[variant.scene].scene.name) + "_" + own : own;
 }
 
 /// Makes one film per scene that has pictures, named like its sheet, and then removes its frames.
 void Experiment::make_films(const fs::path& folder) const {
-  for (std::size_t a = 0; a < acts_.size(); ++a) {
+  for (std::size_t a = 0; a < scene_records_.size(); ++a) {
     std::vector<fs::path> frames;
     for (const Variant& variant : variants_) {
-      if (variant.scene == a && acts_[a].scene.pictures) frames.push_back(folder / frames_folder(variant));
+      if (variant.scene == a && scene_records_[a].scene.pictures) frames.push_back(folder / frames_folder(variant));
     }
     if (frames.empty()) continue;
     std::string name = sheet_file(a).replace(0, std::string("sheet").size(), "film");
     const fs::path film = folder / fs::path(name).replace_extension(film_);
-    write_film(film, frames, static_cast<double>(static_cast<Real>(steps_of(acts_[a].scene)) * dt_));
+    write_film(film, frames, static_cast<double>(static_cast<Real>(steps_of(scene_records_[a].scene)) * dt_));
     for (const fs::path& used : frames) fs::remove_all(used);
     fmt::print("{}\n", film.string());
   }

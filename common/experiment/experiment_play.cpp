@@ -61,8 +61,8 @@ void Experiment::Output::done() const {
 
 Experiment::Result Experiment::play(std::size_t index, Output& output) const {
   const Variant& variant = variants_[index];
-  const Act& act = acts_[variant.scene];
-  const std::size_t steps = steps_of(act.scene);
+  const SceneRecord& record = scene_records_[variant.scene];
+  const std::size_t steps = steps_of(record.scene);
 
   Played played(*this, variant);
   Result result;
@@ -77,12 +77,12 @@ Experiment::Result Experiment::play(std::size_t index, Output& output) const {
           fmt::format("ended at {:.3g} s: {}", static_cast<double>(step) * static_cast<double>(dt_), problem.what());
       break;
     }
-    for (const Quantity& quantity : act.series) result.series[quantity.name].push_back(quantity.of(played.world));
+    for (const Quantity& quantity : record.series) result.series[quantity.name].push_back(quantity.of(played.world));
     shots.take(played.world, step);
   }
   shots.end();
   const Run run{played.world, dt_, result.samples, result.series};
-  for (const Number& number : act.numbers)
+  for (const Number& number : record.numbers)
     result.numbers.push_back(result.mishap.empty() ? number.of(run) : std::numeric_limits<Real>::quiet_NaN());
   return result;
 }

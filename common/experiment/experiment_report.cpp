@@ -52,18 +52,19 @@ Real floor_of(const Panel& panel) {
 /// Without --variants, omits a curve that has no other to compare it with if the scene has a number, which says as much.
 std::vector<Panel> Experiment::panels(const std::vector<Result>& results) const {
   std::vector<Panel> all;
-  for (std::size_t a = 0; a < acts_.size(); ++a) {
-    const Act& act = acts_[a];
-    const std::size_t quantities = std::max<std::size_t>(1, act.series.size());
+  for (std::size_t a = 0; a < scene_records_.size(); ++a) {
+    const SceneRecord& record = scene_records_[a];
+    const std::size_t quantities = std::max<std::size_t>(1, record.series.size());
     for (std::size_t q = 0; q < quantities; ++q) {
-      if (!act.series.empty() && !act.series[q].drawn) continue;
+      if (!record.series.empty() && !record.series[q].drawn) continue;
       Panel panel;
-      panel.title = act.scene.name;
+      panel.title = record.scene.name;
       panel.x_label = "time, s";
-      panel.y_label = act.series.empty() ? "deepest overlap, mm"
-                                         : fmt::format("{}{}{}", act.series[q].name,
-                                                       act.series[q].unit.empty() ? "" : ", ", act.series[q].unit);
-      panel.log_y = !act.series.empty() && act.series[q].log_y;
+      panel.y_label = record.series.empty()
+                          ? "deepest overlap, mm"
+                          : fmt::format("{}{}{}", record.series[q].name, record.series[q].unit.empty() ? "" : ", ",
+                                        record.series[q].unit);
+      panel.log_y = !record.series.empty() && record.series[q].log_y;
       for (const Result& result : results) {
         if (result.variant->scene != a || !result.variant->curves) continue;
         Curve curve{result.variant->name,
@@ -74,8 +75,8 @@ std::vector<Panel> Experiment::panels(const std::vector<Result>& results) const 
                     marker_of(static_cast<std::size_t>(result.variant->colour))};
         for (std::size_t i = 0; i < result.samples.size(); ++i) {
           curve.x.push_back(result.samples[i].time);
-          curve.y.push_back(act.series.empty() ? 1000 * result.samples[i].overlap
-                                               : result.series.at(act.series[q].name)[i]);
+          curve.y.push_back(record.series.empty() ? 1000 * result.samples[i].overlap
+                                                  : result.series.at(record.series[q].name)[i]);
         }
         const std::vector<Real> times = curve.x;
         panel.curves.push_back(std::move(curve));
@@ -90,7 +91,7 @@ std::vector<Panel> Experiment::panels(const std::vector<Result>& results) const 
         }
       }
       if (panel.log_y) panel.floor = floor_of(panel);
-      const bool alone = panel.curves.size() == 1 && !act.numbers.empty() && only_.empty();
+      const bool alone = panel.curves.size() == 1 && !record.numbers.empty() && only_.empty();
       if (!panel.curves.empty() && !alone) all.push_back(std::move(panel));
     }
   }
@@ -100,11 +101,11 @@ std::vector<Panel> Experiment::panels(const std::vector<Result>& results) const 
 
 std::string Experiment::numbers_table(const std::vector<Result>& results) const {
   std::string table;
-  for (std::size_t a = 0; a < acts_.size(); ++a) {
-    const Act& act = acts_[a];
-    std::string header = fmt::format("| {} |", act.scene.name);
+  for (std::size_t a = 0; a < scene_records_.size(); ++a) {
+    const SceneRecord& record = scene_records_[a];
+    std::string header = fmt::format("| {} |", record.scene.name);
     std::string rule = "| --- |";
-    for (const Number& number : act.numbers) {
+    for (const Number& number : record.numbers) {
       header += fmt::format(" {} |", number.name);
       rule += " --- |";
     }
@@ -113,9 +114,9 @@ std::string Experiment::numbers_table(const std::vector<Result>& results) const 
       if (result.variant->scene != a) continue;
       body += fmt::format("| {} {} |", marker_of(static_cast<std::size_t>(result.variant->colour)),
                           shown_name(*result.variant));
-      for (std::size_t i = 0; i < act.numbers.size(); ++i) {
-        body += fmt::format(" {}", in_words(result.numbers[i], act.numbers[i].unit));
-        const auto should = result.variant->expected.find(act.numbers[i].name);
+      for (std::size_t i = 0; i < record.numbers.size(); ++i) {
+        body += fmt::format(" {}", in_words(result.numbers[i], record.numbers[i].unit));
+        const auto should = result.variant->expected.find(record.numbers[i].name);
         if (should != result.variant->expected.end())
           body += fmt::format(" (should be {})", in_words(should->second, ""));
         body += " |";
@@ -144,8 +145,8 @@ std::string sample_line(const Sample& s) {
 /// The columns that all scenes have, followed by the series of the scenes.
 std::string Experiment::metrics(const std::vector<Result>& results) const {
   std::set<std::string> series;
-  for (const Act& act : acts_) {
-    for (const Quantity& quantity : act.series) series.insert(quantity.name);
+  for (const SceneRecord& record : scene_records_) {
+    for (const Quantity& quantity : record.series) series.insert(quantity.name);
   }
   std::string csv =
       "scene,variant,step,time,kinetic_energy,potential_energy,px,py,pz,lx,ly,lz,deepest_overlap,contacts,found,lost,"
@@ -154,8 +155,8 @@ std::string Experiment::metrics(const std::vector<Result>& results) const {
   csv += "\n";
   for (const Result& result : results) {
     for (std::size_t i = 0; i < result.samples.size(); ++i) {
-      csv += fmt::format("\"{}\",\"{}\",{},{}", acts_[result.variant->scene].scene.name, result.variant->name, i + 1,
-                         sample_line(result.samples[i]));
+      csv += fmt::format("\"{}\",\"{}\",{},{}", scene_records_[result.variant->scene].scene.name, result.variant->name,
+                         i + 1, sample_line(result.samples[i]));
       for (const std::string& name : series) {
         const auto found = result.series.find(name);
         csv += found == result.series.end() ? std::string(",") : fmt::format(",{}", found->second[i]);
@@ -181,22 +182,22 @@ void Experiment::report(std::vector<Result>& results, const fs::path& folder) co
   for (const fs::path& plot : write_plot(folder / "plot.png", panels(results))) fmt::print("{}\n", plot.string());
 }
 
-std::string Experiment::sheet_file(std::size_t act) const {
-  const bool first = std::none_of(acts_.begin(), acts_.begin() + static_cast<std::ptrdiff_t>(act),
-                                  [](const Act& earlier) { return earlier.scene.pictures; });
-  return first ? "sheet.png" : fmt::format("sheet_{}.png", key_of(acts_[act].scene));
+std::string Experiment::sheet_file(std::size_t index) const {
+  const bool first = std::none_of(scene_records_.begin(), scene_records_.begin() + static_cast<std::ptrdiff_t>(index),
+                                  [](const SceneRecord& earlier) { return earlier.scene.pictures; });
+  return first ? "sheet.png" : fmt::format("sheet_{}.png", key_of(scene_records_[index].scene));
 }
 
 void Experiment::draw_sheets(std::vector<Result>& results, const fs::path& folder) const {
   std::set<fs::path> drawn;
-  for (std::size_t a = 0; a < acts_.size(); ++a) {
+  for (std::size_t a = 0; a < scene_records_.size(); ++a) {
     const std::optional<Sheet> sheet = sheet_of(a, results);
     if (!sheet) continue;
     const fs::path file = folder / sheet_file(a);
     keep_picture(file, make_sheet(*sheet));
     if (file.filename() == "sheet.png") {
       keep_picture(folder / "thumbnail.png", make_thumbnail(*sheet));
-      const std::optional<Guess>& guess = acts_[a].scene.guess;
+      const std::optional<Guess>& guess = scene_records_[a].scene.guess;
       const std::vector<Image> guessed =
           guess && only_.empty() && mine_.empty() ? make_guess(*sheet, *guess) : std::vector<Image>{};
       for (std::size_t i = 0; i < guessed.size(); ++i)
@@ -215,11 +216,11 @@ void Experiment::draw_sheets(std::vector<Result>& results, const fs::path& folde
 }
 
 /// "steps of 0.01667 s, 10 sweeps": the values that all variants of the scene share, or the default for names that give none.
-std::string Experiment::how_solved(std::size_t act) const {
+std::string Experiment::how_solved(std::size_t index) const {
   std::set<int> substeps, sweeps;
   bool by_default = false;
   for (const Variant& variant : variants_) {
-    if (variant.scene != act) continue;
+    if (variant.scene != index) continue;
     substeps.insert(variant.plan(dt_).all_substeps());
     sweeps.insert(sweeps_of(variant));
     by_default = by_default || (variant.sweeps == 0 && sweeps_of(variant) == sweeps_);
@@ -233,12 +234,12 @@ std::string Experiment::how_solved(std::size_t act) const {
 }
 
 /// None if the scene has no pictures.
-std::optional<Sheet> Experiment::sheet_of(std::size_t act, std::vector<Result>& results) const {
-  const Scene& scene = acts_[act].scene;
+std::optional<Sheet> Experiment::sheet_of(std::size_t index, std::vector<Result>& results) const {
+  const Scene& scene = scene_records_[index].scene;
   Sheet sheet{.question = question_,
               .scene = scene.name,
               .caption = scene.caption,
-              .foot = name_ + " · " + how_solved(act),
+              .foot = name_ + " · " + how_solved(index),
               .start = {},
               .legend = {},
               .raster = scene.raster,
@@ -246,7 +247,7 @@ std::optional<Sheet> Experiment::sheet_of(std::size_t act, std::vector<Result>& 
               .rows = {}};
   Legend legend;
   for (Result& result : results) {
-    if (result.variant->scene != act || result.cells.empty()) continue;
+    if (result.variant->scene != index || result.cells.empty()) continue;
     const Variant& variant = *result.variant;
     legend.add(result.legend);
     if (result.start) sheet.start = std::move(result.start);
@@ -257,8 +258,8 @@ std::optional<Sheet> Experiment::sheet_of(std::size_t act, std::vector<Result>& 
                  std::move(result.cells),
                  std::move(result.cell_notes),
                  std::move(result.raster)};
-    for (std::size_t i = 0; i < acts_[act].numbers.size(); ++i) {
-      const Number& number = acts_[act].numbers[i];
+    for (std::size_t i = 0; i < scene_records_[index].numbers.size(); ++i) {
+      const Number& number = scene_records_[index].numbers[i];
       const auto should = variant.expected.find(number.name);
       row.numbers.push_back(
           {fmt::format("{}: {}", number.name, in_words(result.numbers[i], number.unit)),

@@ -19,7 +19,8 @@ void Experiment::choose_variants() {
   if (first_scene_) std::erase_if(variants_, [](const Variant& v) { return v.scene != 0; });
   if (only_.empty()) return;
   const auto is_meant = [this](const Variant& variant, const std::string& word) {
-    return slug(word) == slug(variant.name) || word == slug(acts_[variant.scene].scene.name) + "_" + slug(variant.name);
+    return slug(word) == slug(variant.name) ||
+           word == slug(scene_records_[variant.scene].scene.name) + "_" + slug(variant.name);
   };
   for (const std::string& word : only_) {
     if (std::none_of(variants_.begin(), variants_.end(), [&](const Variant& v) { return is_meant(v, word); })) {
@@ -34,9 +35,9 @@ void Experiment::choose_variants() {
 }
 
 void Experiment::list() const {
-  for (std::size_t a = 0; a < acts_.size(); ++a) {
-    fmt::print("{} ({:.3g} s, {})\n", acts_[a].scene.name, acts_[a].scene.seconds,
-               acts_[a].scene.pictures ? sheet_file(a) : "no pictures");
+  for (std::size_t a = 0; a < scene_records_.size(); ++a) {
+    fmt::print("{} ({:.3g} s, {})\n", scene_records_[a].scene.name, scene_records_[a].scene.seconds,
+               scene_records_[a].scene.pictures ? sheet_file(a) : "no pictures");
     for (const Variant& variant : variants_) {
       if (variant.scene == a) fmt::print("  {:<32} {}\n", slug(variant.name), variant.name);
     }
@@ -62,7 +63,7 @@ std::optional<int> Experiment::run_command(int argc, const char* const* argv, co
   if (asked == commands_.end()) return {};
   describe(define);
   std::vector<Scene> scenes;
-  for (const Act& act : acts_) scenes.push_back(act.scene);
+  for (const SceneRecord& record : scene_records_) scenes.push_back(record.scene);
   const std::string called = name_ + " " + asked->flag;
   std::vector<const char*> words(argv + 1, argv + argc);
   words[0] = called.c_str();

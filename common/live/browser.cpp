@@ -77,10 +77,10 @@ EMSCRIPTEN_KEEPALIVE int live_scene() {
   return static_cast<int>(live->scene());
 }
 EMSCRIPTEN_KEEPALIVE int live_lanes() {
-  return static_cast<int>(live->lanes());
+  return static_cast<int>(live->tracks());
 }
-EMSCRIPTEN_KEEPALIVE int live_variant(int lane) {
-  return static_cast<int>(live->variant(static_cast<std::size_t>(lane)));
+EMSCRIPTEN_KEEPALIVE int live_variant(int track) {
+  return static_cast<int>(live->variant(static_cast<std::size_t>(track)));
 }
 
 EMSCRIPTEN_KEEPALIVE int live_steps() {
@@ -111,8 +111,8 @@ EMSCRIPTEN_KEEPALIVE int live_go_to(int step, double milliseconds) {
 EMSCRIPTEN_KEEPALIVE double* live_camera() {
   return &looking.eye[0];
 }
-EMSCRIPTEN_KEEPALIVE int live_grab(int lane, double aspect, double x, double y) {
-  return live->grab_at(static_cast<std::size_t>(lane), looking, aspect, x, y) ? 1 : 0;
+EMSCRIPTEN_KEEPALIVE int live_grab(int track, double aspect, double x, double y) {
+  return live->grab_at(static_cast<std::size_t>(track), looking, aspect, x, y) ? 1 : 0;
 }
 EMSCRIPTEN_KEEPALIVE void live_pull(double aspect, double x, double y) {
   live->pull_to(looking, aspect, x, y);
@@ -179,54 +179,54 @@ EMSCRIPTEN_KEEPALIVE const double* live_impulses(int method) {
   return live->iterated().impulses(static_cast<std::size_t>(method)).data();
 }
 
-EMSCRIPTEN_KEEPALIVE const char* live_mishap(int lane) {
-  return answered(live->mishap(static_cast<std::size_t>(lane)));
+EMSCRIPTEN_KEEPALIVE const char* live_mishap(int track) {
+  return answered(live->mishap(static_cast<std::size_t>(track)));
 }
-/// The number of steps of a lane that have samples.
-EMSCRIPTEN_KEEPALIVE int live_played(int lane) {
-  return static_cast<int>(live->samples(static_cast<std::size_t>(lane)).size());
+/// The number of steps of a track that have samples.
+EMSCRIPTEN_KEEPALIVE int live_played(int track) {
+  return static_cast<int>(live->samples(static_cast<std::size_t>(track)).size());
 }
-EMSCRIPTEN_KEEPALIVE const double* live_series(int lane, int which) {
-  return live->series(static_cast<std::size_t>(lane), static_cast<std::size_t>(which)).data();
+EMSCRIPTEN_KEEPALIVE const double* live_series(int track, int which) {
+  return live->series(static_cast<std::size_t>(track), static_cast<std::size_t>(which)).data();
 }
-EMSCRIPTEN_KEEPALIVE const double* live_reference(int lane, int which) {
-  numbers_out = live->reference(static_cast<std::size_t>(lane), static_cast<std::size_t>(which));
+EMSCRIPTEN_KEEPALIVE const double* live_reference(int track, int which) {
+  numbers_out = live->reference(static_cast<std::size_t>(track), static_cast<std::size_t>(which));
   return numbers_out.data();
 }
 /// ["0.31 m/s", "0 m/s"]: the measured and the expected value.
-EMSCRIPTEN_KEEPALIVE const char* live_number(int lane, int which) {
-  const auto [is, should] = live->number_in_words(static_cast<std::size_t>(lane), static_cast<std::size_t>(which));
+EMSCRIPTEN_KEEPALIVE const char* live_number(int track, int which) {
+  const auto [is, should] = live->number_in_words(static_cast<std::size_t>(track), static_cast<std::size_t>(which));
   return answered(fmt::format("[{}, {}]", pushback::quoted(is), pushback::quoted(should)));
 }
 /// The number of cells in the column of a step. live_cells: their values.
-EMSCRIPTEN_KEEPALIVE int live_column(int lane, int step) {
-  cells_out = live->raster(static_cast<std::size_t>(lane)).at(static_cast<std::size_t>(step));
+EMSCRIPTEN_KEEPALIVE int live_column(int track, int step) {
+  cells_out = live->raster(static_cast<std::size_t>(track)).at(static_cast<std::size_t>(step));
   return static_cast<int>(cells_out.size());
 }
 EMSCRIPTEN_KEEPALIVE const int* live_cells() {
   return cells_out.data();
 }
 /// The sample after a step, counted from 0: thirteen numbers, from the time to the residual, without `found` and `lost`.
-EMSCRIPTEN_KEEPALIVE const double* live_sample(int lane, int step) {
-  const Sample& s = live->samples(static_cast<std::size_t>(lane)).at(static_cast<std::size_t>(step));
+EMSCRIPTEN_KEEPALIVE const double* live_sample(int track, int step) {
+  const Sample& s = live->samples(static_cast<std::size_t>(track)).at(static_cast<std::size_t>(step));
   numbers_out.assign({s.time, s.kinetic_energy, s.potential_energy, s.momentum.x(), s.momentum.y(), s.momentum.z(),
                       s.angular_momentum.x(), s.angular_momentum.y(), s.angular_momentum.z(), s.overlap,
                       static_cast<Real>(s.contacts), static_cast<Real>(s.rows), s.residual});
   return numbers_out.data();
 }
 /// A hash of all bodies, as sixteen hexadecimal digits.
-EMSCRIPTEN_KEEPALIVE const char* live_hash(int lane) {
-  return answered(fmt::format("{:016x}", hash_of(live->world(static_cast<std::size_t>(lane)))));
+EMSCRIPTEN_KEEPALIVE const char* live_hash(int track) {
+  return answered(fmt::format("{:016x}", hash_of(live->world(static_cast<std::size_t>(track)))));
 }
 /// Six numbers: position (m) and velocity (m/s) of a body.
-EMSCRIPTEN_KEEPALIVE const double* live_body(int lane, int index) {
-  const Body& body = live->world(static_cast<std::size_t>(lane)).bodies.at(static_cast<std::size_t>(index));
+EMSCRIPTEN_KEEPALIVE const double* live_body(int track, int index) {
+  const Body& body = live->world(static_cast<std::size_t>(track)).bodies.at(static_cast<std::size_t>(index));
   numbers_out.assign(body.position.data(), body.position.data() + 3);
   numbers_out.insert(numbers_out.end(), body.velocity.data(), body.velocity.data() + 3);
   return numbers_out.data();
 }
-EMSCRIPTEN_KEEPALIVE int live_bodies(int lane) {
-  return static_cast<int>(live->world(static_cast<std::size_t>(lane)).bodies.size());
+EMSCRIPTEN_KEEPALIVE int live_bodies(int track) {
+  return static_cast<int>(live->world(static_cast<std::size_t>(track)).bodies.size());
 }
 
 /// Opens a view on the canvas "#id". Call it again after the context was lost.
@@ -236,15 +236,15 @@ EMSCRIPTEN_KEEPALIVE const char* live_open(const char* selector) {
     on_canvas = std::make_unique<CanvasView>(selector);
   });
 }
-/// Begins a picture of all lanes.
+/// Begins a picture of all tracks.
 EMSCRIPTEN_KEEPALIVE void live_begin() {
   marks_seen = {};
 }
 /// `shown`: 1 points, 2 impulses, 4 marks, 8 coarse drawing.
-EMSCRIPTEN_KEEPALIVE const char* live_draw(int lane, int shown, int x, int y, int width, int height) {
+EMSCRIPTEN_KEEPALIVE const char* live_draw(int track, int shown, int x, int y, int width, int height) {
   return problem_of([&] {
     const Picture picture =
-        live->picture(static_cast<std::size_t>(lane), looking, {(shown & 1) != 0, (shown & 2) != 0, (shown & 4) != 0});
+        live->picture(static_cast<std::size_t>(track), looking, {(shown & 1) != 0, (shown & 2) != 0, (shown & 4) != 0});
     marks_seen.see(picture);
     on_canvas->draw(picture, {x, y, width, height}, (shown & 8) != 0);
   });

@@ -46,19 +46,19 @@ std::string Live::description() const {
     return fmt::format(R"({{"colour": {}, "text": {}}})", in_json(one.first), pushback::quoted(one.second));
   };
   std::vector<std::string> scenes;
-  for (std::size_t a = 0; a < experiment_.acts_.size(); ++a) {
-    const Experiment::Act& act = experiment_.acts_[a];
-    const Scene& scene = act.scene;
+  for (std::size_t a = 0; a < experiment_.scene_records_.size(); ++a) {
+    const Experiment::SceneRecord& record = experiment_.scene_records_[a];
+    const Scene& scene = record.scene;
     std::vector<const Variant*> here;
     for (const Variant& variant : experiment_.variants_)
       if (variant.scene == a) here.push_back(&variant);
     const double aspect =
         scene.strobe ? 1520.0 / scene.strobe->height : 500.0 / (scene.cell_height > 0 ? scene.cell_height : 281);
-    std::string series = array_of(act.series, [](const Experiment::Quantity& quantity) {
+    std::string series = array_of(record.series, [](const Experiment::Quantity& quantity) {
       return fmt::format(R"({{"name": {}, "unit": {}, "log": {}, "drawn": {}}})", pushback::quoted(quantity.name),
                          pushback::quoted(quantity.unit), in_json(quantity.log_y), in_json(quantity.drawn));
     });
-    if (act.series.empty()) series = R"([{"name": "deepest overlap", "unit": "mm", "log": false, "drawn": true}])";
+    if (record.series.empty()) series = R"([{"name": "deepest overlap", "unit": "mm", "log": false, "drawn": true}])";
     scenes.push_back(fmt::format(
         R"({{"name": {}, "key": {}, "caption": {}, "pictures": {}, "steps": {}, "aspect": {}, "strobe": {}, "contacts": {}, "impulses": {},
 "camera": {{"eye": {}, "target": {}, "field_of_view": {}}},
@@ -74,17 +74,18 @@ std::string Live::description() const {
                                    array_of(scene.raster->meaning, meaning))
                      : "null",
         series,
-        array_of(act.numbers,
+        array_of(record.numbers,
                  [](const Experiment::Number& number) {
                    return fmt::format(R"({{"name": {}, "unit": {}}})", pushback::quoted(number.name),
                                       pushback::quoted(number.unit));
                  }),
         array_of(here, [&](const Variant* variant) { return in_full(*variant); })));
   }
-  return fmt::format(R"({{"name": {}, "dt": {}, "problems": {}, "scenes": [{}]}})", pushback::quoted(experiment_.name_),
-                     experiment_.dt_,
-                     array_of(experiment_.posed_, [](const auto& posed) { return pushback::quoted(posed.name); }),
-                     fmt::join(scenes, ",\n"));
+  return fmt::format(
+      R"({{"name": {}, "dt": {}, "problems": {}, "scenes": [{}]}})", pushback::quoted(experiment_.name_),
+      experiment_.dt_,
+      array_of(experiment_.problems_, [](const auto& problem) { return pushback::quoted(problem.name); }),
+      fmt::join(scenes, ",\n"));
 }
 
 std::string Live::problem() const {

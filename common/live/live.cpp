@@ -13,7 +13,7 @@
 #include "pushback/common/basics/input.h"
 #include "pushback/common/experiment/picture_of.h"
 #include "pushback/common/experiment/words.h"
-#include "pushback/common/live/lane.h"
+#include "pushback/common/live/track.h"
 #include "pushback/common/render/palette.h"
 
 namespace pushback {
@@ -134,7 +134,7 @@ void Live::set(const std::string& assignments) {
   const auto take = [this](const std::vector<std::vector<double>>& values) {
     for (std::size_t i = 0; i < parameters_.size(); ++i) std::visit(Assign{values[i]}, parameters_[i].variable);
   };
-  lanes_.clear();  // they refer to the old description
+  tracks_.clear();  // they refer to the old description
   iterated_.reset();
   take(after);
   experiment_.told_.swap(told);
@@ -142,7 +142,7 @@ void Live::set(const std::string& assignments) {
     experiment_.describe(define_);
     begin();
   } catch (const InvalidInput&) {
-    lanes_.clear();
+    tracks_.clear();
     take(before);
     experiment_.told_.swap(told);
     experiment_.describe(define_);
@@ -152,19 +152,19 @@ void Live::set(const std::string& assignments) {
 }
 
 void Live::choose(std::size_t scene, std::vector<std::size_t> variants) {
-  if (scene >= experiment_.acts_.size())
-    throw InvalidInput(fmt::format("scene {}: there are {}, the first is 0", scene, experiment_.acts_.size()));
+  if (scene >= experiment_.scene_records_.size())
+    throw InvalidInput(fmt::format("scene {}: there are {}, the first is 0", scene, experiment_.scene_records_.size()));
   scene_ = scene;
   chosen_ = std::move(variants);
   begin();
 }
 
 void Live::begin() {
-  lanes_.clear();
+  tracks_.clear();
   hand_.clear();
   held_.reset();
   now_ = until_ = 0;
-  scene_ = std::min(scene_, experiment_.acts_.size() - 1);
+  scene_ = std::min(scene_, experiment_.scene_records_.size() - 1);
   std::vector<const Variant*> here;
   for (const Variant& variant : experiment_.variants_)
     if (variant.scene == scene_) here.push_back(&variant);
@@ -179,17 +179,17 @@ void Live::begin() {
     here[place]->check(probe, experiment_.dt_);
   }
   for (const std::size_t place : chosen_)
-    lanes_.emplace_back(experiment_, experiment_.acts_[scene_], *here[place], bytes_ / chosen_.size());
+    tracks_.emplace_back(experiment_, experiment_.scene_records_[scene_], *here[place], bytes_ / chosen_.size());
 }
 
 // ---- time --------------------------------------------------------------------------------------------------------------
 
 std::size_t Live::steps() const {
-  return std::max(until_, experiment_.steps_of(experiment_.acts_[scene_].scene));
+  return std::max(until_, experiment_.steps_of(experiment_.scene_records_[scene_].scene));
 }
 
-std::size_t Live::lanes() const {
-  return lanes_.size();
+std::size_t Live::tracks() const {
+  return tracks_.size();
 }
 
 std::size_t Live::known() const {
@@ -199,7 +199,7 @@ std::size_t Live::known() const {
 void Live::go_to(std::size_t step) {
   step = std::min(step, steps());
   if (hand_.size() < step) hand_.resize(step, held_);
-  for (Lane& lane : lanes_) lane.go_to(step, hand_);
+  for (Track& track : tracks_) track.go_to(step, hand_);
   now_ = step;
 }
 
@@ -212,15 +212,15 @@ Ray Live::ray(const Camera& camera, Real aspect, Real x, Real y) const {
   return {.origin = camera.eye - shift(), .direction = ahead + half * (aspect * x * right + y * right.cross(ahead))};
 }
 
-bool Live::grab_at(std::size_t lane, const Camera& camera, Real aspect, Real x, Real y) {
-  const Scene& scene = experiment_.acts_[scene_].scene;
-  const Lane& in = lanes_[lane];
+bool Live::grab_at(std::size_t track, const Camera& camera, Real aspect, Real x, Real y) {
+  const Scene& scene = experiment_.scene_records_[scene_].scene;
+  const Track& in = tracks_[track];
   const World drawn = scene.magnified == 1 ? in.world() : magnified(in.world(), in.start(), scene.magnified);
   std::optional<Grab> found = grab(drawn, ray(camera, aspect, x, y));
   if (!found) return false;
   if (scene.magnified != 1) found->hand = point_of(in.world().bodies[found->body], found->on_body);
   hand_.resize(now_);
-  for (Lane& each : lanes_) each.forget_after(now_);
+  for (Track& each : tracks_) each.forget_after(now_);
   held_ = found;
   constexpr Real time_to_see_it = 5;  // s
   until_ = std::max(until_, now_ + static_cast<std::size_t>(std::lround(time_to_see_it / experiment_.dt_)));
@@ -242,55 +242,55 @@ void Live::let_go() {
 // ---- a problem ---------------------------------------------------------------------------------------------------------
 
 void Live::hold(std::size_t problem) {
-  if (problem >= experiment_.posed_.size())
-    throw InvalidInput(fmt::format("problem {}: there are {}, the first is 0", problem, experiment_.posed_.size()));
-  iterated_.emplace(experiment_.posed_[problem].make());
+  if (problem >= experiment_.problems_.size())
+    throw InvalidInput(fmt::format("problem {}: there are {}, the first is 0", problem, experiment_.problems_.size()));
+  iterated_.emplace(experiment_.problems_[problem].make());
 }
 
 // ---- results and pictures ----------------------------------------------------------------------------------------------
 
-const World& Live::world(std::size_t lane) const {
-  return lanes_[lane].world();
+const World& Live::world(std::size_t track) const {
+  return tracks_[track].world();
 }
 
-const std::vector<Sample>& Live::samples(std::size_t lane) const {
-  return lanes_[lane].samples();
+const std::vector<Sample>& Live::samples(std::size_t track) const {
+  return tracks_[track].samples();
 }
 
-const std::string& Live::mishap(std::size_t lane) const {
-  return lanes_[lane].mishap();
+const std::string& Live::mishap(std::size_t track) const {
+  return tracks_[track].mishap();
 }
 
-const std::vector<Real>& Live::series(std::size_t lane, std::size_t which) const {
-  return lanes_[lane].series().at(which);
+const std::vector<Real>& Live::series(std::size_t track, std::size_t which) const {
+  return tracks_[track].series().at(which);
 }
 
-const std::vector<std::vector<int>>& Live::raster(std::size_t lane) const {
-  return lanes_[lane].raster();
+const std::vector<std::vector<int>>& Live::raster(std::size_t track) const {
+  return tracks_[track].raster();
 }
 
-std::vector<Real> Live::reference(std::size_t lane, std::size_t which) const {
-  const Reference& reference = lanes_[lane].variant().references.at(which);
+std::vector<Real> Live::reference(std::size_t track, std::size_t which) const {
+  const Reference& reference = tracks_[track].variant().references.at(which);
   std::vector<Real> values;
   for (std::size_t step = 1; step <= steps(); ++step)
     values.push_back(reference.of_time(static_cast<Real>(step) * experiment_.dt_));
   return values;
 }
 
-Real Live::number(std::size_t lane, std::size_t which) const {
-  if (lanes_[lane].at() == 0 || !mishap(lane).empty()) return std::numeric_limits<Real>::quiet_NaN();
+Real Live::number(std::size_t track, std::size_t which) const {
+  if (tracks_[track].at() == 0 || !mishap(track).empty()) return std::numeric_limits<Real>::quiet_NaN();
   try {
-    return experiment_.acts_[scene_].numbers.at(which).of(lanes_[lane].run());
+    return experiment_.scene_records_[scene_].numbers.at(which).of(tracks_[track].run());
   } catch (const std::out_of_range&) {  // it needs steps that have not been played yet
     return std::numeric_limits<Real>::quiet_NaN();
   }
 }
 
-std::pair<std::string, std::string> Live::number_in_words(std::size_t lane, std::size_t which) const {
-  const Experiment::Number& number = experiment_.acts_[scene_].numbers.at(which);
-  const auto& expected = lanes_[lane].variant().expected;
+std::pair<std::string, std::string> Live::number_in_words(std::size_t track, std::size_t which) const {
+  const Experiment::Number& number = experiment_.scene_records_[scene_].numbers.at(which);
+  const auto& expected = tracks_[track].variant().expected;
   const auto should = expected.find(number.name);
-  return {in_words(this->number(lane, which), number.unit),
+  return {in_words(this->number(track, which), number.unit),
           should == expected.end() ? "" : in_words(should->second, number.unit)};
 }
 
@@ -319,7 +319,7 @@ struct Farthest {
 
 std::pair<Vec3, Real> Live::reach() const {
   Eigen::AlignedBox<Real, 3> around;
-  const World &start = lanes_[0].start(), &now = lanes_[0].world();
+  const World &start = tracks_[0].start(), &now = tracks_[0].world();
   Vec3 moved = Vec3::Zero();
   Real movable = 0;
   for (const Body& body : start.bodies) {
@@ -338,16 +338,16 @@ std::pair<Vec3, Real> Live::reach() const {
 }
 
 Vec3 Live::shift() const {
-  const std::optional<Strobe>& strobe = experiment_.acts_[scene_].scene.strobe;
+  const std::optional<Strobe>& strobe = experiment_.scene_records_[scene_].scene.strobe;
   if (!strobe) return Vec3::Zero();
   const Real time = static_cast<Real>(now_) * experiment_.dt_;
   return std::max(Real(0), (strobe->until > 0 ? std::min(time, strobe->until) : time) - strobe->from) *
          strobe->shift_per_second;
 }
 
-Picture Live::picture(std::size_t lane, const Camera& camera, const Shown& shown) const {
-  const Scene& scene = experiment_.acts_[scene_].scene;
-  const Lane& of = lanes_[lane];
+Picture Live::picture(std::size_t track, const Camera& camera, const Shown& shown) const {
+  const Scene& scene = experiment_.scene_records_[scene_].scene;
+  const Track& of = tracks_[track];
   const auto as_drawn = [&](const World& world) {
     return scene.magnified == 1 ? world : magnified(world, of.start(), scene.magnified);
   };

@@ -46,9 +46,9 @@ class Live {
   void choose(std::size_t scene, std::vector<std::size_t> variants);
 
   std::size_t scene() const { return scene_; }
-  std::size_t lanes() const;
-  /// The index of a lane's variant in its scene.
-  std::size_t variant(std::size_t lane) const { return chosen_[lane]; }
+  std::size_t tracks() const;
+  /// The index of a track's variant in its scene.
+  std::size_t variant(std::size_t track) const { return chosen_[track]; }
 
   // ---- time ----------------------------------------------------------------------------------------------------------
 
@@ -61,8 +61,8 @@ class Live {
   // ---- the hand ------------------------------------------------------------------------------------------------------
 
   /// Grabs the movable body under (x, y) of the picture, each from -1 to 1, right and up; false if there is none. The body is held in
-  /// all lanes, and the steps played after this instant are discarded.
-  bool grab_at(std::size_t lane, const Camera& camera, Real aspect, Real x, Real y);
+  /// all tracks, and the steps played after this instant are discarded.
+  bool grab_at(std::size_t track, const Camera& camera, Real aspect, Real x, Real y);
   /// Moves the hand to (x, y), parallel to the image plane.
   void pull_to(const Camera& camera, Real aspect, Real x, Real y);
   void let_go();
@@ -80,29 +80,29 @@ class Live {
 
   // ---- results and pictures ------------------------------------------------------------------------------------------
 
-  const World& world(std::size_t lane) const;
-  const std::vector<Sample>& samples(std::size_t lane) const;
-  /// Why the lane ended early; empty if it did not.
-  const std::string& mishap(std::size_t lane) const;
+  const World& world(std::size_t track) const;
+  const std::vector<Sample>& samples(std::size_t track) const;
+  /// Why the track ended early; empty if it did not.
+  const std::string& mishap(std::size_t track) const;
   /// One value per step played. A scene without series has one, the deepest overlap, mm.
-  const std::vector<Real>& series(std::size_t lane, std::size_t which) const;
-  const std::vector<std::vector<int>>& raster(std::size_t lane) const;
+  const std::vector<Real>& series(std::size_t track, std::size_t which) const;
+  const std::vector<std::vector<int>>& raster(std::size_t track) const;
   /// One value per step of the scene.
-  std::vector<Real> reference(std::size_t lane, std::size_t which) const;
+  std::vector<Real> reference(std::size_t track, std::size_t which) const;
   /// The number for the steps up to now. Not a number before the first step, after a mishap, or if it needs later steps.
-  Real number(std::size_t lane, std::size_t which) const;
+  Real number(std::size_t track, std::size_t which) const;
   /// "0.31 m/s", and the expected value or an empty text.
-  std::pair<std::string, std::string> number_in_words(std::size_t lane, std::size_t which) const;
+  std::pair<std::string, std::string> number_in_words(std::size_t track, std::size_t which) const;
 
   /// The centre and the radius, m, of a ball around the movable bodies at the start and the ground below them. The centre moves
   /// horizontally by the mean displacement of the bodies since then.
   std::pair<Vec3, Real> reach() const;
   /// The displacement of the bodies in the picture, m. In a strobe scene they cross the picture and leave an image at each instant.
   Vec3 shift() const;
-  Picture picture(std::size_t lane, const Camera& camera, const Shown& shown) const;
+  Picture picture(std::size_t track, const Camera& camera, const Shown& shown) const;
 
  private:
-  class Lane;
+  class Track;
 
   const ParameterWithDefault& parameter(const std::string& flag) const;
   void begin();
@@ -115,7 +115,7 @@ class Live {
   std::size_t scene_ = 0, now_ = 0;
   std::size_t until_ = 0;  ///< minimum number of steps that can be played
   std::vector<std::size_t> chosen_{0, 1, 2, 3};
-  std::vector<Lane> lanes_;
+  std::vector<Track> tracks_;
   std::vector<std::optional<Grab>> hand_;  ///< in each step that has been played
   std::optional<Grab> held_;
   std::optional<Iterated> iterated_;

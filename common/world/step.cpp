@@ -10,8 +10,8 @@ void StepSolver::integrate_positions(World& world, Real h) {
 }
 
 void StepSolver::whole_step(World& world, Real dt, int sweeps) {
-  Everybody everybody{&plan(dt).workers->of_bodies(world.bodies.size())};
-  step(world, *this, dt, sweeps, everybody);
+  AllBodies all_bodies{&plan(dt).workers->of_bodies(world.bodies.size())};
+  step(world, *this, dt, sweeps, all_bodies);
 }
 
 void check_solvable(const World& world, const StepSolver& solver) {
@@ -81,9 +81,9 @@ void ImpulseSums::write_to(World& world) {
 }
 
 void World::begin_step(Real dt) {
-  Everybody everybody;
-  detect(*this, everybody, {});
-  integrate_velocities(*this, dt, everybody);
+  AllBodies all_bodies;
+  detect(*this, all_bodies, {});
+  integrate_velocities(*this, dt, all_bodies);
 }
 
 void World::step(StepSolver& solver, Real dt, int sweeps) {

@@ -9,7 +9,7 @@
 namespace pushback {
 
 /// Selects the bodies that take part in a step and finds their contacts. This type selects all bodies.
-struct Everybody {
+struct AllBodies {
   Workers* workers = &alone();
 
   static void check(World& world) {

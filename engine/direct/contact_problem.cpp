@@ -58,18 +58,18 @@ Vector unit_scales(const ContactProblem& problem) {
 std::vector<Eigen::Matrix3d> diagonal_blocks(const ContactProblem& problem) {
   std::vector<Eigen::Matrix3d> blocks(static_cast<std::size_t>(problem.contacts()), Eigen::Matrix3d::Zero());
   for (Index row = 0; row < problem.w.rows(); ++row)
-    for (SparseRows::InnerIterator it(problem.w, row); it; ++it)
+    for (SparseMatrix::InnerIterator it(problem.w, row); it; ++it)
       if (it.col() / 3 == row / 3) blocks[static_cast<std::size_t>(row / 3)](row % 3, it.col() % 3) = it.value();
   return blocks;
 }
 
 double asymmetry(const ContactProblem& problem) {
-  const SparseRows transposed = problem.w.transpose();
-  const SparseRows difference = problem.w - transposed;
+  const SparseMatrix transposed = problem.w.transpose();
+  const SparseMatrix difference = problem.w - transposed;
   double largest = 0, apart = 0;
   for (Index row = 0; row < problem.w.rows(); ++row) {
-    for (SparseRows::InnerIterator it(problem.w, row); it; ++it) largest = std::max(largest, std::abs(it.value()));
-    for (SparseRows::InnerIterator it(difference, row); it; ++it) apart = std::max(apart, std::abs(it.value()));
+    for (SparseMatrix::InnerIterator it(problem.w, row); it; ++it) largest = std::max(largest, std::abs(it.value()));
+    for (SparseMatrix::InnerIterator it(difference, row); it; ++it) apart = std::max(apart, std::abs(it.value()));
   }
   return largest > 0 ? apart / largest : 0;
 }

@@ -18,12 +18,12 @@
 namespace pushback {
 
 using Vector = Eigen::VectorXd;
-using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 struct ContactProblem {
-  SparseRows w;  ///< 1/kg, 3 n x 3 n; of each diagonal 3 x 3 block all nine are stored
-  Vector q;      ///< m/s, 3 n
-  Vector mu;     ///< n, each 0 or more
+  SparseMatrix w;  ///< 1/kg, 3 n x 3 n; of each diagonal 3 x 3 block all nine are stored
+  Vector q;        ///< m/s, 3 n
+  Vector mu;       ///< n, each 0 or more
 
   Eigen::Index contacts() const { return mu.size(); }
   /// u, m/s.

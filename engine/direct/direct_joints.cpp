@@ -5,23 +5,23 @@
 namespace pushback {
 
 /// Which joints there are, and which of their rows with limits are between them. Returns whether A may be another than before.
-bool DirectJoints::guess(StepContext& step) {
+bool DirectJoints::guess_active_rows(StepContext& step) {
   bool soft = false;
-  held_.clear();
-  taken_before_.swap(taken_);
-  taken_.clear();
+  joint_bodies_.clear();
+  active_before_.swap(active_);
+  active_.clear();
   const World& world = step.world;
   const Real scale = world.impulse_scale(step.dt);
   each_row(step, [&](const JointRow& row, const std::vector<Real>& impulses, std::size_t n) {
     const Joint& joint = world.joints[row.owner];
     const auto index = [](int body, const Body& its) { return its.movable() ? body : not_moving; };
-    if (n == 0) held_.push_back({index(joint.a, *row.a), index(joint.b, *row.b), 0});
-    ++held_.back().rows;
+    if (n == 0) joint_bodies_.push_back({index(joint.a, *row.a), index(joint.b, *row.b), 0});
+    ++joint_bodies_.back().rows;
     const Real before = n < impulses.size() ? scale * impulses[n] : 0;
-    taken_.push_back(row.lo < before && before < row.hi);
+    active_.push_back(row.lo < before && before < row.hi);
     soft |= row.softness != 0;
   });
-  return soft || taken_ != taken_before_;
+  return soft || active_ != active_before_;
 }
 
 /// What is held at a limit begins there.
@@ -29,7 +29,7 @@ void DirectJoints::start(StepContext& step) {
   const Real scale = step.world.impulse_scale(step.dt);
   std::size_t i = 0;
   each_row(step, [&](Row& row, const std::vector<Real>& impulses, std::size_t n) {
-    if (!taken_[i++]) row.reach(n < impulses.size() ? scale * impulses[n] : 0);
+    if (!active_[i++]) row.reach(n < impulses.size() ? scale * impulses[n] : 0);
   });
 }
 
@@ -44,14 +44,14 @@ void DirectJoints::sweep(StepContext&) {
     if (wrong_.size() < fewest) fewest = wrong_.size(), patience = 3;
     else if (patience > 0) --patience;
     else wrong_.resize(1);
-    for (const std::size_t i : wrong_) taken_[i] = !taken_[i];
+    for (const std::size_t i : wrong_) active_[i] = !active_[i];
     for (JointRow& row : joint_rows_)
-      if (limited(row)) row.reach(row.impulse);
+      if (has_limits(row)) row.reach(row.impulse);
     if (wrong_.empty()) return;
-    matrix_.factor(joint_rows_, held_, taken_);
+    matrix_.factor(joint_rows_, joint_bodies_, active_);
   }
   for (JointRow& row : joint_rows_)
-    if (limited(row) && std::isfinite(row.effective_mass)) row.solve();
+    if (has_limits(row) && std::isfinite(row.effective_mass)) row.solve();
 }
 
 /// Also where that goes beyond a limit.
@@ -60,7 +60,7 @@ void DirectJoints::solve_at_once() {
   for (const JointRow& row : joint_rows_) change_.push_back(static_cast<double>(-row.speed_error()));
   matrix_.solve(change_);
   for (std::size_t i = 0; i < joint_rows_.size(); ++i) {
-    if (!matrix_.counts(i)) continue;
+    if (!matrix_.is_solved(i)) continue;
     const Real lambda = static_cast<Real>(change_[i]);
     joint_rows_[i].impulse += lambda;
     joint_rows_[i].apply(lambda);
@@ -73,11 +73,11 @@ void DirectJoints::find_wrong() {
   wrong_.clear();
   for (std::size_t i = 0; i < joint_rows_.size(); ++i) {
     const JointRow& row = joint_rows_[i];
-    if (!limited(row) || !std::isfinite(row.effective_mass)) continue;
-    const Real little = rounding * row.effective_mass, total = taken_[i] ? row.impulse : row.wanted();
+    if (!has_limits(row) || !std::isfinite(row.effective_mass)) continue;
+    const Real little = rounding * row.effective_mass, total = active_[i] ? row.impulse : row.wanted();
     const bool below = total < row.lo - little;
     const bool above = total > row.hi + little;
-    const bool wrong = taken_[i]               ? below || above
+    const bool wrong = active_[i]              ? below || above
                        : row.impulse == row.lo ? total > row.lo + little
                                                : total < row.hi - little;
     if (wrong) wrong_.push_back(i);

@@ -23,31 +23,31 @@ struct DirectJoints : WarmJoints {
     if (most_rounds < 1)
       throw InvalidInput(fmt::format("most_rounds is {}: a whole number, 1 or more, is needed", most_rounds));
     WarmJoints::check(step);
-    lie_as_factored_ = false;
+    matrix_is_current_ = false;
   }
   void build(StepContext& step) {
     WarmJoints::build(step);
-    if (guess(step) || !lie_as_factored_) matrix_.factor(joint_rows_, held_, taken_);
+    if (guess_active_rows(step) || !matrix_is_current_) matrix_.factor(joint_rows_, joint_bodies_, active_);
   }
   void start(StepContext& step);
   void sweep(StepContext&);
   void update_geometry(StepContext& step) {
     WarmJoints::update_geometry(step);
-    matrix_.factor(joint_rows_, held_, taken_);
-    lie_as_factored_ = true;
+    matrix_.factor(joint_rows_, joint_bodies_, active_);
+    matrix_is_current_ = true;
   }
   /// Of this step: which rows are solved at once. Of those that are not, others hold what some ask for, and limits hold the rest.
   const JointMatrix& matrix() const { return matrix_; }
 
  private:
-  bool guess(StepContext& step);
+  bool guess_active_rows(StepContext& step);
   void solve_at_once();
   void find_wrong();
 
   JointMatrix matrix_;
-  bool lie_as_factored_ = false;  // the bodies, in the substep that comes next
-  std::vector<JointMatrix::Held> held_;
-  std::vector<char> taken_, taken_before_;  // of each row
+  bool matrix_is_current_ = false;  // the bodies, in the substep that comes next
+  std::vector<JointMatrix::JointBodies> joint_bodies_;
+  std::vector<char> active_, active_before_;  // of each row
   std::vector<double> change_;
   std::vector<std::size_t> wrong_;  // rows
 };

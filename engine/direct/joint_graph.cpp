@@ -22,7 +22,7 @@ class Groups {
 
 }  // namespace
 
-std::map<int, std::vector<int>> joints_of(const std::vector<JoinedBodies>& joints) {
+std::map<int, std::vector<int>> joints_by_body(const std::vector<JoinedBodies>& joints) {
   std::map<int, std::vector<int>> all;
   for (std::size_t i = 0; i < joints.size(); ++i)
     for (const int body : {joints[i].first, joints[i].second})
@@ -46,8 +46,8 @@ std::vector<bool> in_loops(const std::vector<JoinedBodies>& joints) {
   return in;
 }
 
-std::vector<int> outward(const std::vector<JoinedBodies>& joints) {
-  const auto held = joints_of(joints);
+std::vector<int> root_first(const std::vector<JoinedBodies>& joints) {
+  const auto held = joints_by_body(joints);
   std::vector<bool> seen(joints.size());
   std::vector<int> order;
   const auto come_to = [&](int joint) {
@@ -68,8 +68,8 @@ std::vector<int> outward(const std::vector<JoinedBodies>& joints) {
   return order;
 }
 
-std::vector<std::vector<int>> neighbours_of(const std::vector<JoinedBodies>& joints) {
-  const auto held = joints_of(joints);
+std::vector<std::vector<int>> joint_neighbours(const std::vector<JoinedBodies>& joints) {
+  const auto held = joints_by_body(joints);
   std::vector<std::vector<int>> all(joints.size());
   for (std::size_t i = 0; i < joints.size(); ++i) {
     std::set<int> neighbours;

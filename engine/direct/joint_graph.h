@@ -17,12 +17,12 @@ std::vector<bool> in_loops(const std::vector<JoinedBodies>& joints);
 
 /// The joints of one tree after the other, each after the one that it hangs from; a tree that is held by what cannot move
 /// begins there.
-std::vector<int> outward(const std::vector<JoinedBodies>& joints);
+std::vector<int> root_first(const std::vector<JoinedBodies>& joints);
 
 /// Of each body that moves, the joints that hold it, ascending.
-std::map<int, std::vector<int>> joints_of(const std::vector<JoinedBodies>& joints);
+std::map<int, std::vector<int>> joints_by_body(const std::vector<JoinedBodies>& joints);
 
 /// Of each joint the others that hold one of its bodies, ascending.
-std::vector<std::vector<int>> neighbours_of(const std::vector<JoinedBodies>& joints);
+std::vector<std::vector<int>> joint_neighbours(const std::vector<JoinedBodies>& joints);
 
 }  // namespace pushback

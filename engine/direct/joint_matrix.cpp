@@ -8,11 +8,11 @@ namespace pushback {
 
 namespace {
 
-using Held = JointMatrix::Held;
+using JointBodies = JointMatrix::JointBodies;
 
-std::vector<JoinedBodies> bodies_of(const std::vector<Held>& joints) {
+std::vector<JoinedBodies> bodies_of(const std::vector<JointBodies>& joints) {
   std::vector<JoinedBodies> all;
-  for (const Held& joint : joints) all.push_back(std::minmax({joint.a, joint.b}));
+  for (const JointBodies& joint : joints) all.push_back(std::minmax({joint.a, joint.b}));
   return all;
 }
 
@@ -20,13 +20,13 @@ std::vector<JoinedBodies> bodies_of(const std::vector<Held>& joints) {
 std::vector<int> order_of_elimination(const std::vector<JoinedBodies>& joints) {
   const std::vector<bool> in = in_loops(joints);
   if (std::find(in.begin(), in.end(), true) == in.end()) {
-    std::vector<int> order = outward(joints);
+    std::vector<int> order = root_first(joints);
     std::reverse(order.begin(), order.end());
     return order;
   }
   const int count = static_cast<int>(joints.size());
   std::vector<Eigen::Triplet<double>> entries;
-  const auto neighbours = neighbours_of(joints);
+  const auto neighbours = joint_neighbours(joints);
   for (int i = 0; i < count; ++i) {
     entries.emplace_back(i, i, 1);
     for (const int j : neighbours[static_cast<std::size_t>(i)]) entries.emplace_back(i, j, 1);
@@ -36,6 +36,35 @@ std::vector<int> order_of_elimination(const std::vector<JoinedBodies>& joints) {
   Eigen::AMDOrdering<int>::PermutationType permutation;
   Eigen::AMDOrdering<int>()(pattern, permutation);
   return {permutation.indices().data(), permutation.indices().data() + count};
+}
+
+/// Of each joint, its position in the order of elimination.
+std::vector<int> positions_in(const std::vector<int>& order) {
+  std::vector<int> position(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) position[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+  return position;
+}
+
+/// Of each joint, the joints that its elimination changes: its neighbours that are eliminated later, and those that the joints before it
+/// have passed on to it.
+std::vector<std::vector<int>> changed_by_elimination(const std::vector<JoinedBodies>& joints,
+                                                     const std::vector<int>& order, const std::vector<int>& position) {
+  const auto earlier = [&](int i, int j) {
+    return position[static_cast<std::size_t>(i)] < position[static_cast<std::size_t>(j)];
+  };
+  const auto neighbours = joint_neighbours(joints);
+  std::vector<std::vector<int>> changed(joints.size());
+  for (const int joint : order) {
+    auto& own = changed[static_cast<std::size_t>(joint)];
+    for (const int other : neighbours[static_cast<std::size_t>(joint)])
+      if (earlier(joint, other)) own.push_back(other);
+    std::sort(own.begin(), own.end(), earlier);
+    own.erase(std::unique(own.begin(), own.end()), own.end());
+    if (own.empty()) continue;
+    auto& next = changed[static_cast<std::size_t>(own.front())];
+    next.insert(next.end(), own.begin() + 1, own.end());
+  }
+  return changed;
 }
 
 /// `act(n)`, with n a constant where it is 3, as for a ball and socket: the loops of the most frequent joint are unrolled.
@@ -58,78 +87,62 @@ struct OfBody {
 
 }  // namespace
 
-void JointMatrix::analyse(const std::vector<Held>& joints) {
+void JointMatrix::analyse(const std::vector<JointBodies>& joints) {
   joints_ = joints;
   const std::vector<JoinedBodies> bodies = bodies_of(joints);
   order_ = order_of_elimination(bodies);
-  const std::size_t count = joints.size();
-  std::vector<int> position(count);
-  for (std::size_t k = 0; k < count; ++k) position[static_cast<std::size_t>(order_[k])] = static_cast<int>(k);
-  const auto later = [&](int i, int j) {
-    return position[static_cast<std::size_t>(i)] < position[static_cast<std::size_t>(j)];
-  };
-
-  // The joints that the elimination of each one changes: its later neighbours, and those of the ones that hung from it.
-  const auto neighbours = neighbours_of(bodies);
-  std::vector<std::vector<int>> changed(count);
-  for (const int joint : order_) {
-    auto& own = changed[static_cast<std::size_t>(joint)];
-    for (const int other : neighbours[static_cast<std::size_t>(joint)])
-      if (later(joint, other)) own.push_back(other);
-    std::sort(own.begin(), own.end(), later);
-    own.erase(std::unique(own.begin(), own.end()), own.end());
-    if (own.empty()) continue;
-    auto& next = changed[static_cast<std::size_t>(own.front())];
-    next.insert(next.end(), own.begin() + 1, own.end());
-  }
-
-  columns_.assign(count, {});
-  blocks_.clear();
+  const std::vector<int> position = positions_in(order_);
+  const std::vector<std::vector<int>> changed = changed_by_elimination(bodies, order_, position);
+  lay_out(changed);
   updates_.clear();
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    columns_[i].updates = updates_.size();
+    for (auto p = changed[i].begin(); p != changed[i].end(); ++p)
+      for (auto q = p; q != changed[i].end(); ++q) updates_.push_back(values_at(*q, *p));
+  }
   shared_.clear();
-  std::size_t row = 0, values = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto rows = static_cast<std::size_t>(joints[i].rows);
-    columns_[i].rows = joints[i].rows;
+  for (const auto& [body, here] : joints_by_body(bodies)) {
+    const auto is_b = [&, which = body](int joint) { return joints[static_cast<std::size_t>(joint)].b == which; };
+    for (const int i : here)
+      for (const int j : here)
+        if (i == j || position[static_cast<std::size_t>(j)] < position[static_cast<std::size_t>(i)])
+          shared_.push_back({i, j, is_b(i), is_b(j), values_at(i, j)});
+  }
+}
+
+/// The columns of L with their blocks, and memory for all of it. `changed`: of each joint, the joints that its elimination changes.
+void JointMatrix::lay_out(const std::vector<std::vector<int>>& changed) {
+  columns_.assign(joints_.size(), {});
+  blocks_.clear();
+  std::size_t row = 0, values = 0, largest = 0;
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const auto rows = static_cast<std::size_t>(joints_[i].rows);
+    columns_[i].rows = joints_[i].rows;
     columns_[i].first = row;
     columns_[i].values = values;
     columns_[i].begin = blocks_.size();
     row += rows;
     values += rows * rows;
+    const std::size_t below = values;
     for (const int other : changed[i]) {
       blocks_.push_back({other, values});
-      values += rows * static_cast<std::size_t>(joints[static_cast<std::size_t>(other)].rows);
+      values += rows * static_cast<std::size_t>(joints_[static_cast<std::size_t>(other)].rows);
     }
     columns_[i].end = blocks_.size();
-  }
-  const auto values_at = [&](int of_row, int of_column) {
-    const Column& column = columns_[static_cast<std::size_t>(of_column)];
-    if (of_row == of_column) return column.values;
-    const auto begin = blocks_.begin() + std::ptrdiff_t(column.begin),
-               end = blocks_.begin() + std::ptrdiff_t(column.end);
-    return std::find_if(begin, end, [of_row](const Block& block) { return block.joint == of_row; })->values;
-  };
-  for (std::size_t i = 0; i < count; ++i) {
-    columns_[i].updates = updates_.size();
-    for (auto p = changed[i].begin(); p != changed[i].end(); ++p)
-      for (auto q = p; q != changed[i].end(); ++q) updates_.push_back(values_at(*q, *p));
-  }
-  for (const auto& [body, here] : joints_of(bodies)) {
-    const auto is_b = [&, which = body](int joint) { return joints[static_cast<std::size_t>(joint)].b == which; };
-    for (const int i : here)
-      for (const int j : here)
-        if (i == j || later(j, i)) shared_.push_back({i, j, is_b(i), is_b(j), values_at(i, j)});
+    largest = std::max(largest, values - below);
   }
   values_.resize(values);
-  std::size_t largest = 0;
-  for (const Column& column : columns_) {
-    std::size_t below = 0;
-    for (std::size_t at = column.begin; at < column.end; ++at) below += std::size_t(column.rows * rows_of(blocks_[at]));
-    largest = std::max(largest, below);
-  }
   before_.resize(largest);
   diagonal_.resize(row);
   inverse_pivots_.resize(row);
+}
+
+/// Where the block of two joints is in values_.
+std::size_t JointMatrix::values_at(int row, int column) const {
+  const Column& own = columns_[static_cast<std::size_t>(column)];
+  if (row == column) return own.values;
+  const auto begin = blocks_.begin() + std::ptrdiff_t(own.begin), end = blocks_.begin() + std::ptrdiff_t(own.end);
+  return std::find_if(begin, end, [row](const Block& block) { return block.joint == row; })->values;
 }
 
 void JointMatrix::assemble(const JointRows& rows) {
@@ -156,14 +169,14 @@ void JointMatrix::assemble(const JointRows& rows) {
     }
 }
 
-void JointMatrix::eliminate(const Column& column, const JointRows& rows, const std::vector<char>& taken) {
+void JointMatrix::eliminate(const Column& column, const JointRows& rows, const std::vector<char>& active) {
   double* const l = &values_[column.values];
   double* const inverse = &inverse_pivots_[column.first];
   with_number(column.rows, [&](auto n) {
     for (int c = 0; c < n; ++c) {
       const std::size_t row = column.first + std::size_t(c);
       const double pivot = l[c * n + c], least = static_cast<double>(least_pivot) * diagonal_[row];
-      const bool counts = taken[row] && (pivot > least || limited(rows[row]));
+      const bool counts = active[row] && (pivot > least || has_limits(rows[row]));
       inverse[c] = counts && least > 0 ? 1 / std::max(pivot, least) : 0;
       for (int i = c + 1; i < n; ++i) {
         const double scaled = l[i * n + c] * inverse[c];
@@ -202,10 +215,11 @@ void JointMatrix::eliminate(const Column& column, const JointRows& rows, const s
   });
 }
 
-void JointMatrix::factor(const JointRows& rows, const std::vector<Held>& joints, const std::vector<char>& taken) {
+void JointMatrix::factor(const JointRows& rows, const std::vector<JointBodies>& joints,
+                         const std::vector<char>& active) {
   if (joints != joints_) analyse(joints);
   assemble(rows);
-  for (const int joint : order_) eliminate(columns_[static_cast<std::size_t>(joint)], rows, taken);
+  for (const int joint : order_) eliminate(columns_[static_cast<std::size_t>(joint)], rows, active);
 }
 
 void JointMatrix::solve(std::span<double> x) const {
@@ -242,7 +256,7 @@ void JointMatrix::solve(std::span<double> x) const {
   }
 }
 
-std::size_t JointMatrix::numbers() const {
+std::size_t JointMatrix::nonzeros() const {
   std::size_t sum = 0;
   for (const Column& column : columns_) {
     sum += std::size_t(column.rows * (column.rows - 1) / 2);

@@ -12,7 +12,7 @@
 namespace pushback {
 
 /// Whether there are limits to its impulse.
-inline bool limited(const Row& row) {
+inline bool has_limits(const Row& row) {
   return std::isfinite(row.lo) || std::isfinite(row.hi);
 }
 
@@ -32,24 +32,24 @@ class JointMatrix {
   static constexpr Real least_pivot = Real(std::numeric_limits<Real>::digits > 24 ? 1e-8 : 3e-4);  ///< of D_i / A_ii
 
   /// What a joint holds: two bodies by their indices, `not_moving` for one that cannot move, and with how many rows.
-  struct Held {
+  struct JointBodies {
     int a, b, rows;
-    bool operator==(const Held&) const = default;
+    bool operator==(const JointBodies&) const = default;
   };
   /// Makes A of the rows, and L and D of A. `rows` are those of the first joint, then those of the second, and so on. A row that is not
-  /// `taken` is as if it were not there.
-  void factor(const JointRows& rows, const std::vector<Held>& joints, const std::vector<char>& taken);
+  /// `active` is as if it were not there.
+  void factor(const JointRows& rows, const std::vector<JointBodies>& joints, const std::vector<char>& active);
   /// A x = b, for the rows that count; 0 for the others. x is b at first.
   void solve(std::span<double> x) const;
-  /// Whether a row is solved: it was taken, and asks for what none before it has asked for.
-  bool counts(std::size_t row) const { return inverse_pivots_[row] != 0; }
-  std::size_t rows_that_count() const {
+  /// Whether a row is solved: it was active, and asks for what none before it has asked for.
+  bool is_solved(std::size_t row) const { return inverse_pivots_[row] != 0; }
+  std::size_t solved_rows() const {
     return inverse_pivots_.size() - std::size_t(std::count(inverse_pivots_.begin(), inverse_pivots_.end(), 0.0));
   }
   /// Blocks of L below its diagonal.
-  std::size_t blocks() const { return blocks_.size(); }
+  std::size_t off_diagonal_blocks() const { return blocks_.size(); }
   /// Numbers of L below its diagonal that may differ from 0.
-  std::size_t numbers() const;
+  std::size_t nonzeros() const;
 
  private:
   struct Block {  // of L, in the column of a joint: of the joint that it changes
@@ -68,12 +68,14 @@ class JointMatrix {
     std::size_t values;
   };
   int rows_of(const Block& block) const { return columns_[static_cast<std::size_t>(block.joint)].rows; }
-  void analyse(const std::vector<Held>& joints);
+  void analyse(const std::vector<JointBodies>& joints);
+  void lay_out(const std::vector<std::vector<int>>& changed);
+  std::size_t values_at(int row, int column) const;
   void assemble(const JointRows& rows);
-  void eliminate(const Column& column, const JointRows& rows, const std::vector<char>& taken);
+  void eliminate(const Column& column, const JointRows& rows, const std::vector<char>& active);
 
-  std::vector<Held> joints_;  // what it was analysed for
-  std::vector<int> order_;    // of elimination
+  std::vector<JointBodies> joints_;  // what it was analysed for
+  std::vector<int> order_;           // of elimination
   std::vector<Column> columns_;
   std::vector<Block> blocks_;
   std::vector<std::size_t> updates_;

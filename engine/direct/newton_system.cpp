@@ -39,7 +39,7 @@ class Factors {
 
 class BetweenContacts : public NewtonSystem {
  public:
-  explicit BetweenContacts(const SparseRows& w) : w_(w) {
+  explicit BetweenContacts(const SparseMatrix& w) : w_(w) {
     std::vector<Eigen::Triplet<double>> all_nine;  // of each diagonal block, whatever W has there
     for (int i = 0; i < static_cast<int>(w.rows()); ++i)
       for (int k = 0; k < 3; ++k) all_nine.emplace_back(i, i / 3 * 3 + k, 0.0);
@@ -66,12 +66,12 @@ class BetweenContacts : public NewtonSystem {
 
 class BetweenBodies : public NewtonSystem {
  public:
-  explicit BetweenBodies(const SparseRows& b) : b_(b), parts_(static_cast<std::size_t>(b.rows() / 3)) {
+  explicit BetweenBodies(const SparseMatrix& b) : b_(b), parts_(static_cast<std::size_t>(b.rows() / 3)) {
     std::vector<std::vector<Index>> neighbours(static_cast<std::size_t>(b.cols() / 6));
     for (std::size_t body = 0; body < neighbours.size(); ++body) neighbours[body] = {static_cast<Index>(body)};
     for (std::size_t c = 0; c < parts_.size(); ++c) {
       for (Index k = 0; k < 3; ++k)
-        for (SparseRows::InnerIterator it(b, 3 * static_cast<Index>(c) + k); it; ++it)
+        for (SparseMatrix::InnerIterator it(b, 3 * static_cast<Index>(c) + k); it; ++it)
           part_of(parts_[c], it.col() / 6).rows(k, it.col() % 6) = it.value();
       for (const Part& one : parts_[c])
         for (const Part& other : parts_[c]) neighbours[static_cast<std::size_t>(other.body)].push_back(one.body);
@@ -138,7 +138,7 @@ class BetweenBodies : public NewtonSystem {
     return x;
   }
 
-  SparseRows b_;
+  SparseMatrix b_;
   std::vector<std::vector<Part>> parts_;
   std::vector<Matrix3d> inverses_;
   Columns matrix_;
@@ -147,7 +147,7 @@ class BetweenBodies : public NewtonSystem {
 
 }  // namespace
 
-SparseRows factor_of(World& world, const Contacts& contacts) {
+SparseMatrix factor_of(World& world, const Contacts& contacts) {
   std::vector<Matrix3d> root(world.bodies.size());  // R R^T = I^-1
   for (const Body& body : world.bodies)
     if (body.movable())
@@ -172,16 +172,16 @@ SparseRows factor_of(World& world, const Contacts& contacts) {
       ++place;
     }
   }
-  SparseRows b(3 * static_cast<Index>(contacts.size()), 6 * static_cast<Index>(world.bodies.size()));
+  SparseMatrix b(3 * static_cast<Index>(contacts.size()), 6 * static_cast<Index>(world.bodies.size()));
   b.setFromTriplets(entries.begin(), entries.end());
   return b;
 }
 
-SparseRows factor_of(World& world) {
+SparseMatrix factor_of(World& world) {
   return factor_of(world, world.contacts);
 }
 
-std::unique_ptr<NewtonSystem> newton_system(const SparseRows& w, const SparseRows& b) {
+std::unique_ptr<NewtonSystem> make_newton_system(const SparseMatrix& w, const SparseMatrix& b) {
   if (b.rows() > 0) return std::make_unique<BetweenBodies>(b);
   return std::make_unique<BetweenContacts>(w);
 }

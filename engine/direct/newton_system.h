@@ -17,9 +17,9 @@ namespace pushback {
 class World;
 
 /// B of these contacts of a world, 3 n x 6 bodies, in the order of problem_of(world): each row is J M^-1/2, so W = B B^T.
-SparseRows factor_of(World& world, const Contacts& contacts);
+SparseMatrix factor_of(World& world, const Contacts& contacts);
 /// The same of all its contacts.
-SparseRows factor_of(World& world);
+SparseMatrix factor_of(World& world);
 
 /// A block of D with its inverse, which loses nothing although D is nearly singular where contacts stick.
 struct DiagonalBlock {
@@ -46,6 +46,6 @@ class NewtonSystem {
 };
 
 /// The pattern is analyzed once. `b` may be empty: between contacts.
-std::unique_ptr<NewtonSystem> newton_system(const SparseRows& w, const SparseRows& b);
+std::unique_ptr<NewtonSystem> make_newton_system(const SparseMatrix& w, const SparseMatrix& b);
 
 }  // namespace pushback

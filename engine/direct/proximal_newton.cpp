@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pushback/engine/direct/law_as_equation.h"
+#include "pushback/engine/direct/coulomb_equation.h"
 
 namespace pushback {
 
@@ -24,10 +24,10 @@ class Proximal {
   Vector from;
   double pull = 0;  ///< p, 1/kg
 
-  NewtonWork work;
+  ProximalStats stats;
 
   Vector f(const Vector& r) {
-    work.multiplications += static_cast<double>(w_.nonZeros());
+    stats.work += static_cast<double>(w_.nonZeros());
     Vector all(r.size());
     const Vector u = speeds(r);
     for (Index c = 0; c < problem_.contacts(); ++c) all.segment<3>(3 * c) = law(c, r, u).f;
@@ -37,12 +37,12 @@ class Proximal {
   Vector step(const Vector& r, const Vector& f_of_r) {
     const Vector u = speeds(r);
     for (Index c = 0; c < problem_.contacts(); ++c) {
-      const Law at = law(c, r, u);
-      const Matrix3d own = at.by_r + pull * at.by_u;
+      const CoulombEquation at = law(c, r, u);
+      const Matrix3d own = at.df_dr + pull * at.df_du;
       const Index begin = derivative_.outerIndexPtr()[3 * c], count = derivative_.outerIndexPtr()[3 * c + 1] - begin;
       using ThreeRows = Eigen::Map<Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>>;
       using ThreeRowsOfW = Eigen::Map<const Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor>>;
-      ThreeRows(derivative_.valuePtr() + begin, 3, count) = at.by_u * ThreeRowsOfW(w_.valuePtr() + begin, 3, count);
+      ThreeRows(derivative_.valuePtr() + begin, 3, count) = at.df_du * ThreeRowsOfW(w_.valuePtr() + begin, 3, count);
       for (Index k = 0; k < count; ++k) {
         const Index column = derivative_.innerIndexPtr()[begin + k] - 3 * c;
         if (column >= 0 && column < 3)
@@ -53,9 +53,8 @@ class Proximal {
     if (!analyzed_) lu_.analyzePattern(by_columns);
     analyzed_ = true;
     lu_.factorize(by_columns);
-    ++work.systems;
-    work.multiplications +=
-        static_cast<double>(lu_.nnzL()) * static_cast<double>(lu_.nnzU()) / static_cast<double>(r.size());
+    ++stats.systems;
+    stats.work += static_cast<double>(lu_.nnzL()) * static_cast<double>(lu_.nnzU()) / static_cast<double>(r.size());
     if (lu_.info() != Eigen::Success) return Vector::Constant(r.size(), std::nan(""));
     return lu_.solve(-f_of_r);
   }
@@ -68,19 +67,19 @@ class Proximal {
  private:
   /// W, with all nine of each 3 x 3 block that has any, so that three rows have the same columns.
   void fill_blocks() {
-    const SparseRows& w = problem_.w;
+    const SparseMatrix& w = problem_.w;
     w_.resize(w.rows(), w.cols());
     std::vector<Index> blocks;
     for (Index first = 0; first < w.rows(); first += 3) {
       blocks.clear();
       for (Index row = first; row < first + 3; ++row)
-        for (SparseRows::InnerIterator it(w, row); it; ++it)
+        for (SparseMatrix::InnerIterator it(w, row); it; ++it)
           if (blocks.empty() || blocks.back() != it.col() / 3) blocks.push_back(it.col() / 3);
       std::sort(blocks.begin(), blocks.end());
       blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
       for (Index row = first; row < first + 3; ++row) {
         w_.startVec(row);
-        SparseRows::InnerIterator it(w, row);
+        SparseMatrix::InnerIterator it(w, row);
         for (const Index block : blocks) {
           for (Index column = 3 * block; column < 3 * block + 3; ++column) {
             const bool is_there = it && it.col() == column;
@@ -93,13 +92,13 @@ class Proximal {
     w_.finalize();
   }
   Vector speeds(const Vector& r) const { return problem_.speeds(r) + pull * (r - from); }
-  Law law(Index c, const Vector& r, const Vector& u) const {
+  CoulombEquation law(Index c, const Vector& r, const Vector& u) const {
     return {blocks_[static_cast<std::size_t>(c)], problem_.mu[c], r.segment<3>(3 * c), u.segment<3>(3 * c)};
   }
 
   const ContactProblem& problem_;
   std::vector<ContactBlock> blocks_;
-  SparseRows w_, derivative_;  // of the same pattern
+  SparseMatrix w_, derivative_;  // of the same pattern
   Eigen::SparseLU<Eigen::SparseMatrix<double>> lu_;
   bool analyzed_ = false;
 };
@@ -122,20 +121,19 @@ constexpr int most_steps = 40;
 constexpr double rounding_of_f = 3e-16;  // what is left of f where nothing more can be said
 
 /// Newton until f is a thousandth of what it was. Returns whether it came to that.
-bool solve(Proximal& problem, Vector& r, int& steps, const NewtonLimits& limits) {
+bool solve(Proximal& problem, Vector& r, int& steps, const ProximalLimits& limits) {
   Vector f = problem.f(r);
   const double enough = f.norm() / 1000;
   for (steps = 0; steps < most_steps; ++steps) {
     if (f.norm() <= std::max(enough, rounding_of_f * r.norm())) return true;
-    if (problem.work.multiplications >= limits.multiplications || !shorten(problem, problem.step(r, f), r, f))
-      return false;
+    if (problem.stats.work >= limits.work || !shorten(problem, problem.step(r, f), r, f)) return false;
   }
   return false;
 }
 
 }  // namespace
 
-NewtonWork newton(const ContactProblem& problem, Vector& r, const NewtonLimits& limits) {
+ProximalStats solve_proximal(const ContactProblem& problem, Vector& r, const ProximalLimits& limits) {
   double best = relative_residual(problem, r);
   if (best <= limits.tolerance) return {};
   Proximal pulled(problem);
@@ -157,7 +155,7 @@ NewtonWork newton(const ContactProblem& problem, Vector& r, const NewtonLimits& 
       best = residual;
       r = next;
     }
-    if (pulled.work.multiplications >= limits.multiplications) break;
+    if (pulled.stats.work >= limits.work) break;
     const bool better = residual < 1.02 * last;
     drift = solved && better ? Vector(next - pulled.from) : Vector(Vector::Zero(r.size()));
     last = residual;
@@ -166,7 +164,7 @@ NewtonWork newton(const ContactProblem& problem, Vector& r, const NewtonLimits& 
     else if (steps <= 6) pulled.pull /= 5;
     else if (steps > 20) pulled.pull *= 2;
   }
-  return pulled.work;
+  return pulled.stats;
 }
 
 }  // namespace pushback

@@ -13,19 +13,19 @@
 
 namespace pushback {
 
-struct NewtonLimits {
-  double tolerance;        ///< of relative_residual: this is good enough
-  int rounds;              ///< proximal points at most; one takes up to 40 linear systems
-  double multiplications;  ///< after which no further linear system is begun
+struct ProximalLimits {
+  double tolerance;  ///< of relative_residual: this is good enough
+  int rounds;        ///< proximal points at most; one takes up to 40 linear systems
+  double work;       ///< after which no further linear system is begun
 };
 
-struct NewtonWork {
+struct ProximalStats {
   int systems = 0;  ///< linear systems solved
   /// Those of the factorizations, as if all columns of L and all rows of U were equally long, and of W r when a step is tried.
-  double multiplications = 0;
+  double work = 0;
 };
 
 /// r becomes the best point that was met, if one was better.
-NewtonWork newton(const ContactProblem& problem, Vector& r, const NewtonLimits& limits);
+ProximalStats solve_proximal(const ContactProblem& problem, Vector& r, const ProximalLimits& limits);
 
 }  // namespace pushback

@@ -55,7 +55,7 @@ struct Rounded {
 /// The problem in x, z and y, speeds as parts of the mean of q.
 class Smoothed {
  public:
-  Smoothed(const ContactProblem& problem, const SparseRows& factor) : scale_(problem.q.size()) {
+  Smoothed(const ContactProblem& problem, const SparseMatrix& factor) : scale_(problem.q.size()) {
     const Vector units = unit_scales(problem);
     for (Index c = 0; c < problem.contacts(); ++c) {
       const double mu = problem.mu[c];  // without friction, the tangents are left out: their rows become 0
@@ -67,7 +67,7 @@ class Smoothed {
     const double mean = q_.norm() / std::sqrt(static_cast<double>(problem.contacts()));
     unit_ = mean > 0 ? mean : 1;
     q_ /= unit_;
-    system = newton_system(w_, factor.rows() > 0 ? SparseRows(scale_.asDiagonal() * factor) : SparseRows());
+    system = make_newton_system(w_, factor.rows() > 0 ? SparseMatrix(scale_.asDiagonal() * factor) : SparseMatrix());
   }
   std::unique_ptr<NewtonSystem> system;
   double t = 1;
@@ -111,7 +111,7 @@ class Smoothed {
   }
 
  private:
-  SparseRows w_;
+  SparseMatrix w_;
   Vector q_, scale_;  // r = unit scale x
   double unit_ = 1;
 };
@@ -132,7 +132,7 @@ bool shorten(const Smoothed& problem, const Vector& step, Vector& y, Vector& f) 
 /// The path of y as t falls, as far as the limits go.
 class Path {
  public:
-  Path(const ContactProblem& problem, const SmoothedLimits& limits, const SparseRows& factor, SmoothedSolution& best)
+  Path(const ContactProblem& problem, const SmoothedLimits& limits, const SparseMatrix& factor, SmoothedSolution& best)
       : problem_(problem), limits_(limits), smoothed_(problem, factor), best_(best) {}
 
   void follow() {
@@ -190,7 +190,8 @@ class Path {
 
 }  // namespace
 
-SmoothedSolution solve_smoothed(const ContactProblem& problem, const SmoothedLimits& limits, const SparseRows& factor) {
+SmoothedSolution solve_smoothed(const ContactProblem& problem, const SmoothedLimits& limits,
+                                const SparseMatrix& factor) {
   SmoothedSolution best;
   best.r = Vector::Zero(problem.q.size());
   best.residual = relative_residual(problem, best.r);

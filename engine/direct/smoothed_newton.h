@@ -34,6 +34,6 @@ struct SmoothedSolution : Solution {
 /// may be found where there is one: friction bends the path of y.
 /// `factor`: B with W = B B^T (newton_system.h), or empty.
 SmoothedSolution solve_smoothed(const ContactProblem& problem, const SmoothedLimits& limits = {},
-                                const SparseRows& factor = {});
+                                const SparseMatrix& factor = {});
 
 }  // namespace pushback

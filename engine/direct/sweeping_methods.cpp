@@ -1,7 +1,7 @@
 #include "pushback/engine/direct/sweeping_methods.h"
 
 #include "pushback/common/basics/named.h"
-#include "pushback/engine/direct/conjugate.h"
+#include "pushback/engine/direct/conjugate_sweeper.h"
 
 namespace pushback {
 
@@ -18,14 +18,14 @@ Sweep sweep_by(const ContactProblem& problem) {
 }
 
 Sweep conjugate(const ContactProblem& problem) {
-  return [sweeper = ConjugateSweeper<Cone>(problem, Vector::Zero(problem.q.size()))](Vector& r) mutable {
+  return [sweeper = ConjugateSweeper<ConeStep>(problem, Vector::Zero(problem.q.size()))](Vector& r) mutable {
     sweeper.sweep(r);
   };
 }
 
-constexpr Method methods[] = {{"pgs", sweep_by<Pyramid>},
+constexpr Method methods[] = {{"pgs", sweep_by<PyramidStep>},
                               {"scaled-back", sweep_by<ScaledBackStep>},
-                              {"cone", sweep_by<Cone>},
+                              {"cone", sweep_by<ConeStep>},
                               {"nscg", conjugate}};
 
 }  // namespace

@@ -26,7 +26,7 @@ struct ContactBlock {
 };
 
 /// Each tangent by itself within its own bound: chapter 06's pyramid.
-struct Pyramid {
+struct PyramidStep {
   static void step(const ContactBlock& at, double radius, Eigen::Vector2d u, Eigen::Vector2d& r) {
     for (Eigen::Index i = 0; i < 2; ++i) {
       const double k = at.w(1 + i, 1 + i);
@@ -38,7 +38,7 @@ struct Pyramid {
   }
 };
 
-inline Eigen::Vector2d drawn_back_to_disc(const Eigen::Vector2d& r, double radius) {
+inline Eigen::Vector2d projected_to_disc(const Eigen::Vector2d& r, double radius) {
   const double length = r.norm();
   return length > radius ? Eigen::Vector2d(r * (radius / length)) : r;
 }
@@ -50,14 +50,14 @@ struct ScaledBackStep {
     const double determinant = k(0, 0) * k(1, 1) - k(0, 1) * k(1, 0);
     if (determinant <= 0) return;
     const Eigen::Vector2d solved(k(1, 1) * u[0] - k(0, 1) * u[1], k(0, 0) * u[1] - k(1, 0) * u[0]);
-    r = drawn_back_to_disc(r - solved / determinant, radius);
+    r = projected_to_disc(r - solved / determinant, radius);
   }
 };
 
 /// One step of the same size for both, projected to the disc: chapter 08's cone. Where nothing changes, Coulomb's law holds.
-struct Cone {
+struct ConeStep {
   static void step(const ContactBlock& at, double radius, const Eigen::Vector2d& u, Eigen::Vector2d& r) {
-    if (at.larger_eigenvalue > 0) r = drawn_back_to_disc(r - u / at.larger_eigenvalue, radius);
+    if (at.larger_eigenvalue > 0) r = projected_to_disc(r - u / at.larger_eigenvalue, radius);
   }
 };
 
@@ -86,7 +86,7 @@ class Sweeper {
   /// One row of W r + q.
   double speed(Eigen::Index row, const Vector& r) const {
     double u = problem_.q[row];
-    for (SparseRows::InnerIterator it(problem_.w, row); it; ++it) u += it.value() * r[it.col()];
+    for (SparseMatrix::InnerIterator it(problem_.w, row); it; ++it) u += it.value() * r[it.col()];
     return u;
   }
 

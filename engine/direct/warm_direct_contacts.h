@@ -9,9 +9,9 @@ namespace pushback {
 /// solution, or none. Only where Newton's method does not get there in `rounds`, or where there are many contacts, it is solved
 /// from nothing: smoothed, between bodies, and where that ends too far off, as DirectContacts does.
 struct WarmDirectContacts : Effect {
-  double tolerance = 1e-5;  ///< of relative_residual
-  double too_far = 1e-3;    ///< of the same, and solved from nothing
-  int rounds = 3;           ///< of Newton's method, see NewtonLimits
+  double tolerance = 1e-5;           ///< of relative_residual
+  double fallback_tolerance = 1e-3;  ///< of the same, and solved from nothing
+  int rounds = 3;                    ///< of Newton's method, see ProximalLimits
   /// Multiplications in all steps together. Once they are spent, the next system is refused.
   double work = std::numeric_limits<double>::infinity();
 
@@ -19,12 +19,12 @@ struct WarmDirectContacts : Effect {
   void start(StepContext& step);
   /// The same, but returns false.
   bool try_start(StepContext& step);
-  static std::string too_large(std::size_t contacts);
+  static std::string too_large_message(std::size_t contacts);
 
  private:
-  void look_at_guess(StepContext& step);
-  bool solve_as_handful(const Rows& rows);
-  bool solve_as_large(StepContext& step);
+  void evaluate_guess(StepContext& step);
+  bool solve_small_problem(const Rows& rows);
+  bool solve_large_problem(StepContext& step);
 
   std::vector<Eigen::Index> places_;  // of each row in the problem
   Eigen::VectorXd r_, u_, q_, mu_;    // of the problem, u with r, q without

@@ -37,7 +37,7 @@ bool HalfStep::run(World& world, Real h) {
     body.velocity = body.velocity_before;
     body.angular_velocity = body.angular_velocity_before;
   }
-  KickDrift::keep(world, states_);
+  save_states(world, states_);
   motion_.begin(world, h, holds_contacts());
   cuts_.impacts = impacts.value_or(Impacts::simultaneous);
   cuts_.most_events = most_events;
@@ -47,12 +47,12 @@ bool HalfStep::run(World& world, Real h) {
     for (const Real fraction : composition) {
       const Real length = fraction * of_substep;
       if (impacts ? cuts_.advance(motion_, world, length) : motion_.advance(world, length)) continue;
-      KickDrift::give(world, states_);
+      restore_states(world, states_);
       for (Body& body : world.bodies) body.refresh_inertia();
       return false;
     }
   motion_.report(world);
-  KickDrift::keep(world, states_);
+  save_states(world, states_);
   for (Body& body : world.bodies) {
     body.velocity.setZero();
     body.angular_velocity.setZero();
@@ -69,20 +69,20 @@ void HalfStep::done(World& world) {
 }
 
 void HalfStep::moved(World& world, Real /*h*/) {
-  KickDrift::give(world, states_);
+  restore_states(world, states_);
 }
 
 /// The order of step.h, for one detection and one call of `solve`.
 StepOutcome HalfStep::try_step(World& world, Real dt) {
-  Everybody everybody;
+  AllBodies all_bodies;
   for (Joint& joint : world.joints) std::fill(joint.impulses.begin(), joint.impulses.end(), 0);
-  everybody.check(world);
+  all_bodies.check(world);
   check(world, dt);
-  detect(world, everybody, plan(dt).margin);
+  detect(world, all_bodies, plan(dt).margin);
   detected(world, dt);
-  integrate_velocities(world, dt, everybody);
+  integrate_velocities(world, dt, all_bodies);
   if (!run(world, dt)) return {.converged = false, .work = work()};
-  everybody.each(world, [dt](Body& body) { move(body, dt); });
+  all_bodies.each(world, [dt](Body& body) { move(body, dt); });
   world.time += dt;
   moved(world, dt);
   world.dt_before = dt;

@@ -78,7 +78,7 @@ class HalfStep : public StepSolver, public HalfStepSettings {
 
   KickDrift motion_;
   ImpactCuts cuts_;
-  std::vector<KickDrift::State> states_;  // of all bodies, as the step began, or as it ended
+  std::vector<BodyState> states_;  // of all bodies, as the step began, or as it ended
 };
 
 /// HalfStep, cut at impacts.

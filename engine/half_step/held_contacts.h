@@ -5,7 +5,8 @@
 
 #include "pushback/common/collision/broad_phase.h"
 #include "pushback/engine/direct/warm_direct_contacts.h"
-#include "pushback/engine/half_step/newton_from_guess.h"
+#include "pushback/engine/half_step/contact_sums.h"
+#include "pushback/engine/half_step/stage_contacts.h"
 
 namespace pushback {
 
@@ -74,18 +75,18 @@ class HeldContacts {
   void begin_projecting(World& world, Real h);
   void end_projecting(const World& world, Real h);
   /// Rows of what takes part, from the guess, which the bodies have.
-  void add_to(NewtonFromGuess& newton, World& world);
+  void add_to(NewtonFromGuess& newton, World& world) { stage_.add_to(newton, world); }
   /// What they came to.
-  void take(const World& world);
+  void take(const World& world) { stage_.read_rows(world); }
   /// Whether some would now slide the other way: those are to stick, if they can. Rows have to be made anew.
-  bool turns_back(const World& world);
+  bool turns_back(const World& world) { return stage_.release_reversed(world); }
   /// The law is to find out who slides, and where to. Rows have to be made anew.
-  void find_out();
+  void find_out() { stage_.release_all(); }
 
   /// Contact::impulse: what acted since `begin`, drawn back to the cone of now; and Contact::state. From there the next step starts.
   void report(World& world) const;
   /// Contact::impulse: the momentum that was given since `begin`. What has parted is listed as well.
-  void report_sums(World& world) const;
+  void report_sums(World& world) const { sums_.write_to(world.contacts); }
 
   /// Matrices that were factored since `begin`. None where the guess was the solution.
   int factored() const { return newton_.factored; }
@@ -93,48 +94,31 @@ class HeldContacts {
   bool too_large() const { return newton_.too_large && newton_.factored == 0; }
   /// Of most_work.
   double work_left() const { return newton_.work; }
-  int rows() const { return 3 * static_cast<int>(taking_.size()); }
+  int rows() const { return 3 * static_cast<int>(stage_.size()); }
 
  private:
-  struct Known {  // of a contact, by its id
+  struct ContactMemory {  // of a contact, by its id
     ContactId id;
-    Vec3 borne = Vec3::Zero();     // N, in both stages of the substep before
-    Vec3 pressing = Vec3::Zero();  // N s, in the first stage
-    Vec3 total = Vec3::Zero();     // N s, since `begin`: along the normal and both tangents of each stage
-    Vec3 last = Vec3::Zero();      // N s, in the second
-    Real approach = 0;             // J v as the step began, m/s
-    Vec3 slip = Vec3::Zero();      // u_t then, m/s
-    bool pressed = false;          // in the first stage
-    Real bends = 0;                // m: by how much the next drift turns it further in than J says
-    std::size_t sum = none;        // its place in sums_
+    Vec3 borne = Vec3::Zero();            // N, in both stages of the substep before
+    Vec3 pressing = Vec3::Zero();         // N s, in the first stage
+    Vec3 total = Vec3::Zero();            // N s, since `begin`: along the normal and both tangents of each stage
+    Vec3 last = Vec3::Zero();             // N s, in the second
+    Real approach = 0;                    // J v as the step began, m/s
+    Vec3 slip = Vec3::Zero();             // u_t then, m/s
+    bool pressed = false;                 // in the first stage
+    Real bends = 0;                       // m: by how much the next drift turns it further in than J says
+    std::size_t sum = ContactSums::none;  // its place in sums_
   };
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-  struct Taking {  // part in a stage
-    std::size_t contact;
-    Real bias;     // b of its normal, m/s
-    Vec3 turned;   // b along the surface, m/s, world axes: see above
-    Vec3 impulse;  // N s
-    Vec3 slides;   // unit: against it friction acts. 0 where the law is to find out
-
-    bool sliding() const { return !slides.isZero(0); }
-  };
-  static Vec3 speed_of(const World& world, const Taking& taking);
-  void add_up(const World& world, std::size_t contact, const Vec3& impulse);
-  void give_guess(World& world, Real h);
-  double off(const World& world) const;
-  void place(World& world);
-  bool solve_rows(World& world, Real h);
+  bool solve(World& world, Real h);
   bool solve_from_nothing(World& world, Real h);
 
   WarmDirectContacts direct_ = exact_direct_contacts();
   NewtonFromGuess newton_;
-  std::vector<Taking> taking_;
-  double unit_ = 1;    // |q|, m/s
-  Contacts touching_;  // those of taking_
-  Rows rows_;
+  StageContacts stage_;
+  Contacts touching_;  // those of stage_
   std::string failure_;
-  std::vector<Known> known_, known_before_;  // of World::contacts, ascending
-  Contacts sums_;  // since `begin`, in the order of first action; a contact that parts and returns appears twice
+  std::vector<ContactMemory> known_, known_before_;  // of World::contacts, ascending
+  ContactSums sums_;                                 // since `begin`
 };
 
 }  // namespace pushback

@@ -35,7 +35,7 @@ void HeldJoints::begin(const World& world) {
     joints_.push_back(i);
     for (std::size_t n = 0; n < count; ++n) {
       const Equation& equation = equations_[before + n];
-      Held& held = held_.emplace_back();
+      HeldRow& held = held_.emplace_back();
       held.lo = equation.lo;
       held.hi = equation.hi;
       held.kind = equation.softness != 0                                       ? Kind::spring
@@ -57,7 +57,7 @@ void HeldJoints::each(const World& world, const TimeStep& now, Kind kind, const 
   for (std::size_t k = 0; k < joints_.size(); ++k) {
     const auto first = held_.begin() + std::ptrdiff_t(row), end = first + joints_held_[k].rows;
     row += std::size_t(joints_held_[k].rows);
-    if (std::none_of(first, end, [kind](const Held& held) { return held.kind == kind; })) continue;
+    if (std::none_of(first, end, [kind](const HeldRow& held) { return held.kind == kind; })) continue;
     const Joint& joint = world.joints[joints_[k]];
     asked_.clear();
     joint.ask(world.body(joint.a), world.body(joint.b), now, asked_);
@@ -73,7 +73,7 @@ void HeldJoints::check(const World& world, bool both_ways) {
   for (std::size_t k = 0; k < joints_.size(); ++k)
     for (int n = 0; n < joints_held_[k].rows; ++n, ++row) {
       const std::string& name = world.joints[joints_[k]].name;
-      const Held& held = held_[row];
+      const HeldRow& held = held_[row];
       const bool limited = std::isfinite(held.lo) || std::isfinite(held.hi);
       if (held.kind == Kind::spring && limited)
         throw InvalidInput(fmt::format("the world has {} whose force has a limit: half steps do not know both", name));
@@ -87,18 +87,18 @@ void HeldJoints::check(const World& world, bool both_ways) {
 void HeldJoints::find_springs(const World& world) {
   if (!springs_) return;
   constexpr Real rounding = fine ? Real(1e-9) : Real(1e-4);
-  each(world, {world.time, brief}, Kind::spring, [](Held& held, const Equation& equation, std::size_t) {
+  each(world, {world.time, brief}, Kind::spring, [](HeldRow& held, const Equation& equation, std::size_t) {
     held.damping = 1 / (brief * equation.softness);        // c + h k
     held.c = equation.bias / (brief * equation.softness);  // k C
   });
-  each(world, {world.time, 2 * brief}, Kind::spring, [](Held& held, const Equation& equation, std::size_t) {
+  each(world, {world.time, 2 * brief}, Kind::spring, [](HeldRow& held, const Equation& equation, std::size_t) {
     const Real longer = 1 / (2 * brief * equation.softness);  // c + 2 h k
     held.stiffness = (longer - held.damping) / brief;
     held.damping = 2 * held.damping - longer;
     if (held.damping < rounding * brief * held.stiffness) held.damping = 0;
     held.c /= held.stiffness;
   });
-  for (const Held& held : held_) linear_ = linear_ && held.damping == 0;
+  for (const HeldRow& held : held_) linear_ = linear_ && held.damping == 0;
 }
 
 Real HeldJoints::ask(const World& world, Real time) {
@@ -158,7 +158,7 @@ void HeldJoints::apply(const std::vector<double>& lambda) {
 std::string HeldJoints::pull(const World& world, Real h) {
   if (!springs_) return {};
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const Held& held = held_[i];
+    const HeldRow& held = held_[i];
     if (held.kind != Kind::spring) continue;
     JointRow& row = rows_[i];
     if (!(h * h * held.stiffness < 4 * row.effective_mass))
@@ -175,7 +175,7 @@ std::string HeldJoints::pull(const World& world, Real h) {
 void HeldJoints::pull_on(Real h) {
   if (!springs_) return;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const Held& held = held_[i];
+    const HeldRow& held = held_[i];
     if (held.kind != Kind::spring) continue;
     rows_[i].impulse = held.damping > 0 ? 0 : -h / 2 * held.stiffness * held.c;
     rows_[i].apply(rows_[i].impulse);
@@ -184,7 +184,7 @@ void HeldJoints::pull_on(Real h) {
 
 void HeldJoints::start(Real h) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const Held& held = held_[i];
+    const HeldRow& held = held_[i];
     if (held.kind == Kind::spring) continue;
     rows_[i].impulse = 0;
     if (held.kind == Kind::rigid || held.takes_part) rows_[i].reach(h / 2 * held.borne);
@@ -225,14 +225,14 @@ void HeldJoints::projected(Real h) {
 
 void HeldJoints::aim(const World& world, Real time, Real h) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    Held& held = held_[i];
+    HeldRow& held = held_[i];
     if (held.kind != Kind::limit) continue;
     rows_[i].lo = 0;
     rows_[i].bias = held.c / h;
     held.takes_part = true;
     held.overlapped = held.c < -reached;
   }
-  each(world, {time, h}, Kind::motor, [this, h](Held& held, const Equation& equation, std::size_t i) {
+  each(world, {time, h}, Kind::motor, [this, h](HeldRow& held, const Equation& equation, std::size_t i) {
     rows_[i].lo = h / 2 * held.lo;
     rows_[i].hi = h / 2 * held.hi;
     rows_[i].bias = equation.bias + equation.error / h;
@@ -247,7 +247,7 @@ void HeldJoints::aim_rigid(Real h) {
 /// What came out of a limit that it was beyond does not keep that speed: there the second impulse may be negative, not the sum.
 void HeldJoints::settle(Real h) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    Held& held = held_[i];
+    HeldRow& held = held_[i];
     JointRow& row = rows_[i];
     switch (held.kind) {
       case Kind::rigid:
@@ -270,7 +270,7 @@ void HeldJoints::settle(Real h) {
 
 void HeldJoints::add_to(NewtonFromGuess& newton, bool second) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const Held& held = held_[i];
+    const HeldRow& held = held_[i];
     if (held.kind == Kind::limit ? held.takes_part : held.kind != Kind::spring || (second && held.damping > 0))
       newton.add(rows_[i]);
   }
@@ -278,7 +278,7 @@ void HeldJoints::add_to(NewtonFromGuess& newton, bool second) {
 
 void HeldJoints::strike(NewtonFromGuess& newton) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const Held& held = held_[i];
+    const HeldRow& held = held_[i];
     JointRow& row = rows_[i];
     row.impulse = 0;
     const bool stops = held.kind == Kind::limit && held.c < reached;

@@ -69,7 +69,7 @@ class HeldJoints {
 
  private:
   enum class Kind { rigid, limit, motor, spring };
-  struct Held {  // of each row
+  struct HeldRow {  // of each row
     Kind kind;
     Real lo, hi;                      // N
     Real borne = 0;                   // N, in the stage before
@@ -93,8 +93,8 @@ class HeldJoints {
   bool linear_ = true, springs_ = false;
   JointRows rows_;
   Equations equations_, asked_;
-  std::vector<JointMatrix::Held> joints_held_;
-  std::vector<Held> held_;
+  std::vector<JointMatrix::JointBodies> joints_held_;
+  std::vector<HeldRow> held_;
   std::vector<std::size_t> joints_;  // of each of joints_held_, its index in the world
   std::vector<char> taken_;          // by A
   std::vector<double> lambda_;

@@ -76,14 +76,14 @@ bool ImpactCuts::strike_free(StepContext& step) {
       std::any_of(step.contacts.begin(), step.contacts.end(), [](const Contact& at) { return at.friction > 0; });
   const Real before = kinetic_energy(step.world);
   const Contacts contacts = step.contacts;
-  const std::vector<KickDrift::State> states(step.world.bodies.begin(), step.world.bodies.end());
+  const std::vector<BodyState> states(step.world.bodies.begin(), step.world.bodies.end());
   direct_.work = exact_direct_contacts().work;
   Rows& rows = step.rows;
   for (int tries = 1;; ++tries) {
     if (!direct_.try_start(step)) return false;
     const bool leaves = std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.bias != 0; });
     if (!rubs || !leaves || kinetic_energy(step.world) <= (1 + rounding) * before) return true;
-    KickDrift::give(step.world, states);
+    restore_states(step.world, states);
     step.contacts = contacts;
     for (Row& row : rows) {
       row.impulse = 0;

@@ -57,7 +57,7 @@ std::vector<ImpactCuts::Sunk> ImpactCuts::sunk_since(const KickDrift& motion, co
     Vec3 speed = Vec3::Zero();
     Real bend = 0;
     for (const auto& [body, sign] : {std::pair(at.id.body_a, 1), std::pair(at.id.body_b, -1)}) {
-      const KickDrift::State& before = motion.before_drift[body];
+      const BodyState& before = motion.before_drift[body];
       const Vec3 arm = at.point - world.bodies[body].position;
       speed += sign * (before.velocity + before.angular_velocity.cross(arm));
       bend += h * h / 2 * before.angular_velocity.squaredNorm() * arm.norm();

@@ -36,39 +36,6 @@ void drift(Body& body, Real h) {
   else spin_evenly(body, h);
 }
 
-KickDrift::State::State(const Body& body)
-    : velocity(body.velocity),
-      angular_velocity(body.angular_velocity),
-      position(body.position),
-      orientation(body.orientation) {}
-
-void KickDrift::State::give(Body& body) const {
-  body.velocity = velocity;
-  body.angular_velocity = angular_velocity;
-  body.position = position;
-  body.orientation = orientation;
-}
-
-void HalfStepSettings::check() const {
-  if (substeps < 1) throw InvalidInput(fmt::format("substeps is {}: a whole number, 1 or more, is needed", substeps));
-  if (most_rounds < 1)
-    throw InvalidInput(fmt::format("most_rounds is {}: a whole number, 1 or more, is needed", most_rounds));
-  if (most_halvings < 0)
-    throw InvalidInput(fmt::format("most_halvings is {}: a whole number, 0 or more, is needed", most_halvings));
-  require_positive("tolerance", tolerance);
-  if (!(most_work > 0)) throw InvalidInput(fmt::format("most_work is {}: a number above 0 is needed", most_work));
-  require_not_negative("threshold", threshold);
-}
-
-void KickDrift::keep(const World& world, std::vector<State>& states) {
-  states.clear();
-  for (const Body& body : world.bodies) states.emplace_back(body);
-}
-
-void KickDrift::give(World& world, const std::vector<State>& states) {
-  for (std::size_t i = 0; i < states.size(); ++i) states[i].give(world.bodies[i]);
-}
-
 KickDrift::Snapshot KickDrift::snapshot(const World& world) const {
   return {world.bodies, world.contacts, contacts, joints_, accelerations_, time_};
 }
@@ -239,7 +206,7 @@ bool KickDrift::press(World& world, Real h) {
   }
   joints_.start(h);
   if (together) collect_rows(world);
-  keep(world, before_drift);
+  save_states(world, before_drift);
   Real off = std::numeric_limits<Real>::infinity();
   for (int round = 0;; ++round) {
     for (Body& body : world.bodies) drift(body, h);
@@ -252,10 +219,10 @@ bool KickDrift::press(World& world, Real h) {
       // Each round leaves a fraction of the error. If it leaves most of it, the step is too large.
       if (round == settings.most_rounds || !(off < off_before / 2)) return false;
     }
-    give(world, before_drift);
+    restore_states(world, before_drift);
     if (!together) joints_.press(h);
     else if (!press_together(world, h)) return false;
-    keep(world, before_drift);
+    save_states(world, before_drift);
     ++rounds_;
   }
   speed_error_ = std::max(speed_error_, off / std::abs(h));
@@ -308,13 +275,13 @@ bool KickDrift::strike(World& world, const Contacts& at, Rows& rows, Real h) {
 /// Without a `failure`, false means that h is too long, and that everything is as it was. Rows are placed where the bodies are, before
 /// and after.
 bool KickDrift::step(World& world, Real h) {
-  keep(world, begun_);
+  save_states(world, begun_);
   if (!contact_free) contacts.look(world);
   failure = joints_.pull(world, h);
   if (!failure.empty()) return false;
   kick(world, h / 2);
   if (!press(world, h)) {
-    if (failure.empty()) give(world, begun_);
+    if (failure.empty()) restore_states(world, begun_);
     return false;
   }
   const bool moved = moves(world, h);

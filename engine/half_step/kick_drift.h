@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "pushback/engine/half_step/body_state.h"
+#include "pushback/engine/half_step/half_step_settings.h"
 #include "pushback/engine/half_step/held_contacts.h"
 #include "pushback/engine/half_step/held_joints.h"
 
@@ -10,20 +12,6 @@ namespace pushback {
 
 /// x += h v and the turn of h w, as a free body moves. I^-1 stays behind until it is refreshed.
 void drift(Body& body, Real h);
-
-struct HalfStepSettings {
-  int substeps = 1;                                                                   ///< of each step
-  Real tolerance = std::numeric_limits<Real>::digits > 24 ? Real(1e-8) : Real(2e-6);  ///< m or rad: the largest |C|
-  int most_rounds = 20;        ///< of Newton's method, before a step is divided
-  Real threshold = Real(0.1);  ///< m/s; slower contacts do not bounce
-  int most_halvings = 8;       ///< before the step fails
-  double most_work = 1e10;     ///< multiplications in a step, roughly, before it fails
-  /// Solve contacts from nothing (chapter 17) where Newton's method fails from the guess. Otherwise the step fails there.
-  bool fall_back_to_full_solve = true;
-
-  /// Throws InvalidInput if a setting cannot be used.
-  void check() const;
-};
 
 /// What HalfStep and ImpactCuts share: the state of a step that is divided into half steps. Functions that return false leave the reason
 /// in `failure`, and the caller restores the world.
@@ -33,15 +21,6 @@ class KickDrift {
   struct Acceleration {
     Vec3 linear, angular;  // m/s^2, rad/s^2
   };
-  /// The state of one body.
-  struct State {
-    Vec3 velocity, angular_velocity, position;
-    Quat orientation;
-    explicit State(const Body& body);
-    void give(Body& body) const;
-  };
-  static void keep(const World& world, std::vector<State>& states);
-  static void give(World& world, const std::vector<State>& states);
   /// Everything that a half step changes.
   struct Snapshot {
     std::vector<Body> bodies;
@@ -57,8 +36,8 @@ class KickDrift {
   bool contact_free = true;  ///< no bodies come near each other in this step, so contacts are skipped
   bool cuts = false;         ///< ImpactCuts is at work: where no pair is held, only `near_pairs` are detected
   std::vector<BodyPair> near_pairs;
-  bool detected_ahead = false;      ///< World::contacts lists what may touch in the next drift
-  std::vector<State> before_drift;  ///< each body, before the latest drift
+  bool detected_ahead = false;          ///< World::contacts lists what may touch in the next drift
+  std::vector<BodyState> before_drift;  ///< each body, before the latest drift
   std::string failure;
 
   /// Throws InvalidInput if half steps cannot take this world. `backwards`: the step is composed of steps that go back in time.
@@ -110,7 +89,7 @@ class KickDrift {
   NewtonFromGuess together_;
   std::vector<std::pair<Vec3, Vec3>> by_hand_;  // force and torque of each body; empty if no body has any
   std::vector<Acceleration> accelerations_;     // of each body, where it is; empty if only gravity acts
-  std::vector<State> begun_;                    // the half step
+  std::vector<BodyState> begun_;                // the half step
   Real time_ = 0;                               // s: of the bodies
   Real speed_error_ = 0;
   int halvings_ = 0, rounds_ = 0;

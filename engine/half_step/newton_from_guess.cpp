@@ -5,8 +5,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "pushback/engine/direct/coulomb_equation.h"
 #include "pushback/engine/direct/joint_graph.h"
-#include "pushback/engine/direct/law_as_equation.h"
 
 namespace pushback {
 
@@ -92,15 +92,15 @@ void NewtonFromGuess::look(Group& group) const {
     group.u[i] = static_cast<double>(row.speed() + row.bias);
   }
   if (group.count == 3) {
-    const Law law(ContactBlock(group.w), group.mu, group.l, group.u);
+    const CoulombEquation law(ContactBlock(group.w), group.mu, group.l, group.u);
     group.f = law.f;
-    group.by_u = law.by_u;
-    group.by_l = law.by_r;
+    group.df_du = law.df_du;
+    group.df_dl = law.df_dr;
     return;
   }
   group.f.setZero();
-  group.by_u.setZero();
-  group.by_l.setIdentity();
+  group.df_du.setZero();
+  group.df_dl.setIdentity();
   const Row& row = *group.rows[0];
   const double k = group.w(0, 0) + group.softness, a = k > 0 ? 1 / k : 1, lo = static_cast<double>(row.lo),
                hi = static_cast<double>(row.hi);
@@ -108,8 +108,8 @@ void NewtonFromGuess::look(Group& group) const {
   const double wanted = group.l[0] - a * group.u[0];
   group.f[0] = group.l[0] - std::clamp(wanted, lo, hi);
   if (wanted <= lo || wanted >= hi) return;
-  group.by_u(0, 0) = a;
-  group.by_l(0, 0) = a * group.softness;
+  group.df_du(0, 0) = a;
+  group.df_dl(0, 0) = a * group.softness;
 }
 
 NewtonFromGuess::Total NewtonFromGuess::evaluate() {
@@ -145,13 +145,13 @@ bool NewtonFromGuess::factor(double pull) {
   work -= of_assembly * static_cast<double>(groups_.size()) + matrix_.of_factor();
   for (Group& group : groups_) {
     const double k = group.w.trace() / group.count;
-    const Eigen::Matrix3d inverse = (group.by_l + pull * (k > 0 ? k : 1) * group.by_u).inverse();
-    kept_.push_back({group.a, group.b, group.count, group.by_u, inverse});
+    const Eigen::Matrix3d inverse = (group.df_dl + pull * (k > 0 ? k : 1) * group.df_du).inverse();
+    kept_.push_back({group.a, group.b, group.count, group.df_du, inverse});
     if (!inverse.allFinite()) {
       kept_.clear();
       return false;
     }
-    const Eigen::Matrix3d between = inverse * group.by_u;
+    const Eigen::Matrix3d between = inverse * group.df_du;
     for (const bool row_is_b : {false, true}) {
       const int row = row_is_b ? group.b : group.a;
       if (row == not_moving) continue;
@@ -183,7 +183,7 @@ bool NewtonFromGuess::find_changes() {
     Three speed = Three::Zero();
     if (group.a != not_moving) speed += jacobian_of(group.rows, group.count, false) * at(group.a);
     if (group.b != not_moving) speed += jacobian_of(group.rows, group.count, true) * at(group.b);
-    group.change = -(kept_[i].inverse * (group.f + kept_[i].by_u * speed));
+    group.change = -(kept_[i].inverse * (group.f + kept_[i].df_du * speed));
     if (!group.change.allFinite()) return false;
   }
   return true;

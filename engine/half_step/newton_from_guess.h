@@ -10,16 +10,16 @@ namespace pushback {
 
 /// What each row is after, as an equation f = 0 in its impulse l and its speed u = J V + b:
 ///
-///   a contact          chapter 17's Law, Coulomb's, of three rows
+///   a contact          chapter 17's CoulombEquation, Coulomb's, of three rows
 ///   a joint's row      f = l - clamp(l - u / (K + gamma), lo, hi),  u = J V + b + gamma l      without limits u / (K + gamma)
 ///
 /// Chapter 17's step for f, with its pull p that keeps it solvable where rows say the same thing twice,
 ///
-///   by_l dl + by_u (J dV + p dl) = -f,     dV = M^-1 J^T dl
+///   df_dl dl + df_du (J dV + p dl) = -f,     dV = M^-1 J^T dl
 ///
-/// is solved for dV: with E = by_l + p by_u
+/// is solved for dV: with E = df_dl + p df_du
 ///
-///   (1 + M^-1 J^T E^-1 by_u J) dV = -M^-1 J^T E^-1 f,     dl = -E^-1 (f + by_u J dV)
+///   (1 + M^-1 J^T E^-1 df_du J) dV = -M^-1 J^T E^-1 f,     dl = -E^-1 (f + df_du J dV)
 ///
 /// A box on a box has 12 rows and 2 bodies. The matrix is kept from one step to the next, and for the next system where the same act
 /// on the same, as long as |f| falls well.
@@ -53,15 +53,15 @@ class NewtonFromGuess {
     std::array<Row*, 3> rows;
     int count;
     double mu, softness;
-    Eigen::Matrix3d w;           // J M^-1 J^T of its rows
-    int a, b;                    // places of its bodies; not_moving
-    Three l, u, f;               // now
-    Eigen::Matrix3d by_u, by_l;  // now
-    Three change;                // dl
+    Eigen::Matrix3d w;             // J M^-1 J^T of its rows
+    int a, b;                      // places of its bodies; not_moving
+    Three l, u, f;                 // now
+    Eigen::Matrix3d df_du, df_dl;  // now
+    Three change;                  // dl
   };
   struct Kept {  // of a group, as the matrix has it
     int a, b, count;
-    Eigen::Matrix3d by_u, inverse;  // by_u, E^-1
+    Eigen::Matrix3d df_du, inverse;  // df_du, E^-1
   };
   struct Total {  // of all f, m/s
     double sum, largest;

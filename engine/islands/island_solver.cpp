@@ -35,7 +35,7 @@ void fly(Body& body, const Vec3& gravity, int parts, Real dt) {
 
 void IslandSolver::whole_step(World& world, Real dt, int sweeps) {
   check_step(dt, sweeps, world.gravity);
-  Everybody::check(world);
+  AllBodies::check(world);
   IslandSettings::check();
   substep_solver.SubsteppingSolver::check(world, dt);
   const Plan plan = substep_solver.plan(dt);

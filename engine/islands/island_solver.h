@@ -31,7 +31,7 @@ namespace pushback {
 /// as chapter 20's sleep does, uses `substep_solver` only.
 class IslandSolver : public ForwardingSolver, public IslandSettings {
  public:
-  Wide<Real> substep_solver;
+  WideSolver<Real> substep_solver;
 
   /// Throws as World::step does; nothing has changed then.
   void whole_step(World& world, Real dt, int sweeps) override;

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "pushback/engine/islands/island_settings.h"
-#include "pushback/engine/substeps/wide.h"
+#include "pushback/engine/substeps/wide_solver.h"
 
 namespace pushback {
 
 /// How the remaining bodies are moved in this step.
 struct SubstepPass {
-  Wide<Real>& solver;
+  WideSolver<Real>& solver;
   StepSolver& runner;  ///< the same solver, or one around it, which World::step calls
   const IslandSettings& settings;
   Real dt;

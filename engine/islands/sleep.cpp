@@ -40,8 +40,8 @@ bool acts_on_all(const Force& force) {
 // ---- who is awake ------------------------------------------------------------------------------------------------------
 
 void Sleep::check(World& world) {
-  require_not_negative("time to fall asleep", seconds);
-  require_not_negative("place of a sleeper", place);
+  require_not_negative("time to fall asleep", time_to_sleep);
+  require_not_negative("place of a sleeper", rest_distance);
   if (world.bodies.size() < rest_.size())
     throw InvalidInput("a world with sleepers has lost a body: World::remove takes bodies out");
   check_places(world);
@@ -52,36 +52,36 @@ void Sleep::check(World& world) {
     Rest& its = rest_.emplace_back();
     its.reach = plane ? 0 : reach_of(body);
     if (!body.movable()) its.position = body.position, its.orientation = body.orientation;
-    arranged_ = arranged_ && (body.movable() || plane);
+    tree_is_current_ = tree_is_current_ && (body.movable() || plane);
   }
   const auto driven = [&world](int i) { return moves(world.bodies[std::size_t(i)]); };
   driven_before_.swap(driven_);
   driven_.clear();
   std::copy_if(fixed_.begin(), fixed_.end(), std::back_inserter(driven_), driven);
-  if (driven_ != driven_before_) arranged_ = false;
+  if (driven_ != driven_before_) tree_is_current_ = false;
   for (const auto* which : {&awake_, &driven_, &planes_}) {
     for (const int i : *which) check_state(world.bodies[std::size_t(i)]);
   }
-  feel_hands(world);
+  wake_changed_by_hand(world);
   for (const int i : awake_)
     world.bodies[std::size_t(i)].refresh_inertia();  // its orientation may have been set by hand
 
   const bool plane_moves = std::any_of(planes_.begin(), planes_.end(), driven);
-  nobody_may_sleep_ = plane_moves || std::any_of(world.forces.begin(), world.forces.end(), acts_on_all);
+  all_stay_awake_ = plane_moves || std::any_of(world.forces.begin(), world.forces.end(), acts_on_all);
   const bool other_pulls = world.gravity != gravity_ || world.forces.size() != forces_;
-  if (nobody_may_sleep_ || other_pulls || world.joints.size() != joints_) wake_all(world);
+  if (all_stay_awake_ || other_pulls || world.joints.size() != joints_) wake_all(world);
   gravity_ = world.gravity;
   forces_ = world.forces.size();
   joints_ = world.joints.size();
 }
 
 /// What has been done by hand, since the latest step, to those that do not take part.
-void Sleep::feel_hands(World& world) {
+void Sleep::wake_changed_by_hand(World& world) {
   for (std::size_t i = 0; i < rest_.size(); ++i) {
     const Body& body = world.bodies[i];
     Rest& its = rest_[i];
     if (body.removed) {
-      if (!its.removed) forget(world, int(i));
+      if (!its.removed) forget_removed(world, int(i));
       continue;
     }
     if (!body.asleep && body.movable()) continue;
@@ -98,7 +98,7 @@ void Sleep::feel_hands(World& world) {
 }
 
 /// A body that has been removed. What touched it wakes.
-void Sleep::forget(World& world, int body) {
+void Sleep::forget_removed(World& world, int body) {
   wake(world, body);
   for (std::vector<int>* some : {&awake_, &planes_, &fixed_, &driven_, &driven_before_}) std::erase(*some, body);
   std::erase_if(woken_, [id = std::uint32_t(body)](const Contact& contact) {
@@ -107,7 +107,7 @@ void Sleep::forget(World& world, int body) {
   rest(body).removed = true;
 }
 
-void Sleep::feel_forces(World& world) {
+void Sleep::wake_by_forces(World& world) {
   for (const Force& force : world.forces) {
     for (const int i : force.bodies) {
       const Body& body = world.bodies[std::size_t(i)];
@@ -120,7 +120,7 @@ void Sleep::feel_forces(World& world) {
   }
 }
 
-void Sleep::feel_joints(World& world) {
+void Sleep::wake_by_joints(World& world) {
   for (const Joint& joint : world.joints) {
     if (!moves(joint, world)) continue;
     for (const int i : {joint.a, joint.b}) {
@@ -130,9 +130,9 @@ void Sleep::feel_joints(World& world) {
 }
 
 void Sleep::find_contacts(World& world, const Margin& margin) {
-  feel_forces(world);
-  feel_joints(world);
-  while (someone_touched(world, margin)) continue;  // who wakes may touch others
+  wake_by_forces(world);
+  wake_by_joints(world);
+  while (wake_touched(world, margin)) continue;  // who wakes may touch others
   for (const Force& force : world.forces) {
     for (const int i : force.bodies) {
       Body& body = world.bodies[std::size_t(i)];
@@ -147,8 +147,8 @@ void Sleep::find_contacts(World& world, const Margin& margin) {
 }
 
 /// Finds the contacts. Returns whether somebody had to be woken: then they are not all there yet.
-bool Sleep::someone_touched(World& world, const Margin& margin) {
-  if (!arranged_) arrange(world);
+bool Sleep::wake_touched(World& world, const Margin& margin) {
+  if (!tree_is_current_) build_tree(world);
   std::sort(awake_.begin(), awake_.end());  // those that have just woken are last
   simulated_ = awake_;
   insert_ascending(simulated_, driven_);
@@ -184,12 +184,12 @@ bool Sleep::someone_touched(World& world, const Margin& margin) {
 }
 
 /// What does not move is arranged anew only after somebody has fallen asleep or woken.
-void Sleep::arrange(const World& world) {
+void Sleep::build_tree(const World& world) {
   std::vector<int> still;
   for (const Island& island : islands_) still.insert(still.end(), island.bodies.begin(), island.bodies.end());
   std::set_difference(fixed_.begin(), fixed_.end(), driven_.begin(), driven_.end(), std::back_inserter(still));
   still_ = StillBodies(world.bodies, still);
-  arranged_ = true;
+  tree_is_current_ = true;
 }
 
 // ---- waking ------------------------------------------------------------------------------------------------------------
@@ -204,7 +204,7 @@ void Sleep::wake_island(World& world, int island) {
   awake_.insert(awake_.end(), woken.bodies.begin(), woken.bodies.end());
   woken_.insert(woken_.end(), woken.contacts.begin(), woken.contacts.end());
   woken = {};
-  arranged_ = false;
+  tree_is_current_ = false;
 }
 
 void Sleep::wake(World& world, int body) {
@@ -228,7 +228,7 @@ void Sleep::wake(World& world, int body) {
     if (touched || std::binary_search(island.bodies.begin(), island.bodies.end(), body)) wake_island(world, int(i));
   }
   rest(body).seconds = 0;
-  arranged_ = false;  // it may lie somewhere else now
+  tree_is_current_ = false;  // it may lie somewhere else now
 }
 
 void Sleep::wake_all(World& world) {
@@ -238,16 +238,16 @@ void Sleep::wake_all(World& world) {
 // ---- falling asleep ----------------------------------------------------------------------------------------------------
 
 void Sleep::end(World& world, Real dt) {
-  // Over a time in which nothing gets farther than `place`.   |x - x_0| + reach |angle between q_0 and q| <= place
+  // Over a time in which nothing gets farther than `rest_distance`.   |x - x_0| + reach |angle between q_0 and q| <= rest_distance
   for (const int i : awake_) {
     const Body& body = world.bodies[std::size_t(i)];
     Rest& its = rest(i);
     const Real turned = 2 * (its.orientation.conjugate() * body.orientation).vec().norm();
-    const bool kept = (body.position - its.position).norm() + its.reach * turned <= place;
+    const bool kept = (body.position - its.position).norm() + its.reach * turned <= rest_distance;
     if (!kept) its.position = body.position, its.orientation = body.orientation;
     its.seconds = kept ? its.seconds + dt : 0;
   }
-  if (nobody_may_sleep_) return;
+  if (all_stay_awake_) return;
 
   touching_.separate(awake_, world.bodies.size());
   touching_.join(world.contacts, world);
@@ -276,7 +276,7 @@ void Sleep::end(World& world, Real dt) {
   for (const int i : awake_) {
     const int island = touching_.island_of(i);
     islands[island].push_back(i);
-    if (rest(i).seconds < seconds) restless.push_back(island);
+    if (rest(i).seconds < time_to_sleep) restless.push_back(island);
   }
   for (const int island : restless) islands.erase(island);
   if (!islands.empty()) put_to_sleep(world, islands);
@@ -306,7 +306,7 @@ void Sleep::put_to_sleep(World& world, const std::map<int, std::vector<int>>& is
     contacts.back().impulse = contact.last_impulse;  // what they start from when they wake
   }
   std::erase_if(awake_, [this](int i) { return rest(i).island >= 0; });
-  arranged_ = false;
+  tree_is_current_ = false;
 }
 
 std::vector<std::vector<int>> Sleep::asleep() const {

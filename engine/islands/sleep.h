@@ -23,8 +23,9 @@ namespace pushback {
 /// Where a Force acts on all bodies alike, none sleeps: nobody knows what it will do next.
 class Sleep {
  public:
-  Real seconds = Real(0.5);    ///< for how long a body has to keep its place
-  Real place = Real(0.25e-3);  ///< m: so far may its surface get from where it was; slower than place / seconds is rest
+  Real time_to_sleep = Real(0.5);  ///< for how long a body has to keep its place
+  Real rest_distance = Real(
+      0.25e-3);  ///< m: so far may its surface get from where it was; slower thanrest_distance / time_to_sleep is rest
 
   // ---- who takes part in a step: see World::step ---------------------------------------------------------------------
 
@@ -62,14 +63,14 @@ class Sleep {
     std::optional<std::pair<Vec3, Vec3>> pull = {};  // force and torque in its first step asleep
   };
 
-  void feel_hands(World& world);
-  void forget(World& world, int body);
-  void feel_forces(World& world);
-  void feel_joints(World& world);
-  bool someone_touched(World& world, const Margin& margin);
+  void wake_changed_by_hand(World& world);
+  void forget_removed(World& world, int body);
+  void wake_by_forces(World& world);
+  void wake_by_joints(World& world);
+  bool wake_touched(World& world, const Margin& margin);
   void wake_island(World& world, int island);
   void put_to_sleep(World& world, const std::map<int, std::vector<int>>& islands);
-  void arrange(const World& world);
+  void build_tree(const World& world);
   Rest& rest(int body) { return rest_[std::size_t(body)]; }
 
   std::vector<int> awake_, planes_, fixed_;  // movable; half-spaces; immovable otherwise
@@ -79,8 +80,8 @@ class Sleep {
   std::vector<Island> islands_;              // a woken one leaves an empty place
   Islands touching_;
   StillBodies still_;
-  bool arranged_ = false;
-  bool nobody_may_sleep_ = false;
+  bool tree_is_current_ = false;
+  bool all_stay_awake_ = false;
   Contacts woken_;  // of the islands woken since the latest step
   Vec3 gravity_ = Vec3::Zero();
   std::size_t forces_ = 0, joints_ = 0;

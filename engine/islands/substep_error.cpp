@@ -52,7 +52,7 @@ int ErrorControl::parts_of_flight(const Body& body, const IslandSettings& settin
 /// too large, the step is taken again in more substeps: the first error falls with their number, the second with its square.
 Solved ErrorControl::step_remaining(RemainingBodies& remaining, World& world, StepClassifier& classifier,
                                     Contacts& found, const SubstepPass& pass) {
-  Wide<Real>& solver = pass.solver;
+  WideSolver<Real>& solver = pass.solver;
   const IslandSettings& settings = pass.settings;
   const auto moves = [&](const Body& body) { return classifier.step_of(body.index) == StepType::substeps; };
   const auto once = [&] { return remaining.step(world, classifier, found, pass); };

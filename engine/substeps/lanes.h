@@ -52,32 +52,32 @@ struct Symmetric {
 
 /// Lane by lane, one or the other.
 template <class Lanes>
-Lanes either(const typename Lanes::mask_type& so, const Lanes& yes, Lanes no) {
+Lanes select(const typename Lanes::mask_type& so, const Lanes& yes, Lanes no) {
   where(so, no) = yes;
   return no;
 }
 template <class Lanes>
-Vec<Lanes> either(const typename Lanes::mask_type& so, const Vec<Lanes>& yes, const Vec<Lanes>& no) {
-  return {either(so, yes.x, no.x), either(so, yes.y, no.y), either(so, yes.z, no.z)};
+Vec<Lanes> select(const typename Lanes::mask_type& so, const Vec<Lanes>& yes, const Vec<Lanes>& no) {
+  return {select(so, yes.x, no.x), select(so, yes.y, no.y), select(so, yes.z, no.z)};
 }
 
 /// Lanes of eight numbers, from the one at `at` on.
 template <class Lanes, class Real>
-Lanes load(const Eight<Real>& from, int at) {
-  return Lanes(from.of + at, simd::element_aligned);
+Lanes load(const EightNumbers<Real>& from, int at) {
+  return Lanes(from.values + at, simd::element_aligned);
 }
 template <class Lanes, class Real>
 Vec<Lanes> load(const EightVectors<Real>& from, int at) {
   return {load<Lanes>(from.x, at), load<Lanes>(from.y, at), load<Lanes>(from.z, at)};
 }
 template <class Lanes, class Real>
-Symmetric<Lanes> load(const EightSymmetric<Real>& from, int at) {
+Symmetric<Lanes> load(const EightSymmetricMatrices<Real>& from, int at) {
   return {load<Lanes>(from.xx, at), load<Lanes>(from.xy, at), load<Lanes>(from.xz, at),
           load<Lanes>(from.yy, at), load<Lanes>(from.yz, at), load<Lanes>(from.zz, at)};
 }
 template <class Lanes, class Real>
-void store(const Lanes& lanes, Eight<Real>& to, int at) {
-  lanes.copy_to(to.of + at, simd::element_aligned);
+void store(const Lanes& lanes, EightNumbers<Real>& to, int at) {
+  lanes.copy_to(to.values + at, simd::element_aligned);
 }
 template <class Lanes, class Real>
 void store(const Vec<Lanes>& vectors, EightVectors<Real>& to, int at) {

@@ -82,7 +82,7 @@ template <class Lanes, class Real>
     const auto lanes = [&](int i) { return __builtin_bit_cast(Lanes, twists.number(i)); };  // em++ has no std::bit_cast
     return {{lanes(0), lanes(1), lanes(2)}, {lanes(3), lanes(4), lanes(5)}};
   } else {
-    const auto each = [&](int number) { return Lanes([&](int i) { return bodies[which[i]].of[number]; }); };
+    const auto each = [&](int number) { return Lanes([&](int i) { return bodies[which[i]].values[number]; }); };
     return {{each(0), each(1), each(2)}, {each(3), each(4), each(5)}};
   }
 }
@@ -107,8 +107,8 @@ template <class Lanes, class Real>
       if (inverse_masses[i] == 0) continue;
       const auto lane = static_cast<std::size_t>(i);
       Twist<Real>& body = bodies[which[i]];
-      body.of[0] = motion.v.x[lane], body.of[1] = motion.v.y[lane], body.of[2] = motion.v.z[lane];
-      body.of[3] = motion.w.x[lane], body.of[4] = motion.w.y[lane], body.of[5] = motion.w.z[lane];
+      body.values[0] = motion.v.x[lane], body.values[1] = motion.v.y[lane], body.values[2] = motion.v.z[lane];
+      body.values[3] = motion.w.x[lane], body.values[4] = motion.w.y[lane], body.values[5] = motion.w.z[lane];
     }
   }
 }

@@ -46,48 +46,48 @@ struct Pairs {
   }
   template <class Real>
   [[gnu::always_inline]] void put_back(const Bundle<Real>& bundle, Twist<Real>* bodies, int at) const {
-    put(a, bundle.a + at, bundle.inverse_mass_a.of + at, bodies);
-    put(b, bundle.b + at, bundle.inverse_mass_b.of + at, bodies);
+    put(a, bundle.a + at, bundle.inverse_mass_a.values + at, bodies);
+    put(b, bundle.b + at, bundle.inverse_mass_b.values + at, bodies);
   }
 };
 
 /// I^-1 of these bodies as they lie now.
 template <class Lanes, class Real>
 Symmetric<Lanes> fetch(const int* which, const Inertia<Real>* inertias) {
-  const auto each = [&](int number) { return Lanes([&](int i) { return inertias[which[i]].of[number]; }); };
+  const auto each = [&](int number) { return Lanes([&](int i) { return inertias[which[i]].values[number]; }); };
   return {each(0), each(1), each(2), each(3), each(4), each(5)};
 }
 
 /// `act(bundle, at)` for each bundle, in the order of the list; lanes from `at` on.
 template <class Lanes, class Real, class Act>
-void each_bundle(const Bundles<Real>& all, const Act& act) {
+void each_bundle(const BundleRange<Real>& all, const Act& act) {
   for (int i = 0; i < all.count; ++i)
-    for (int at = 0; at < lanes_of_bundle; at += int(Lanes::size())) act(all.bundles[i], at);
+    for (int at = 0; at < lanes_per_bundle; at += int(Lanes::size())) act(all.bundles[i], at);
 }
 
 /// What the two bodies of a pair have to do with any row of theirs.
 template <class Lanes>
-struct Levers {
+struct PairGeometry {
   Vec<Lanes> arm_a, arm_b;
   Symmetric<Lanes> inverse_inertia_a, inverse_inertia_b;
   Lanes inverse_masses;
 };
 /// J and M^-1 J^T of a row along `n`. Returns K, 1/kg.
 template <class Lanes, class Real>
-Lanes make_row(WideRow<Real>& row, const Vec<Lanes>& n, const Levers<Lanes>& levers, int at) {
-  const Vec<Lanes> ra_n = cross(levers.arm_a, n), rb_n = cross(levers.arm_b, n);
-  const Vec<Lanes> dwa = levers.inverse_inertia_a * ra_n, dwb = levers.inverse_inertia_b * rb_n;
+Lanes make_row(WideRow<Real>& row, const Vec<Lanes>& n, const PairGeometry<Lanes>& geometry, int at) {
+  const Vec<Lanes> ra_n = cross(geometry.arm_a, n), rb_n = cross(geometry.arm_b, n);
+  const Vec<Lanes> dwa = geometry.inverse_inertia_a * ra_n, dwb = geometry.inverse_inertia_b * rb_n;
   store(ra_n, row.ra_n, at);
   store(rb_n, row.rb_n, at);
   store(dwa, row.dwa, at);
   store(dwb, row.dwb, at);
-  return levers.inverse_masses + (dot(rb_n, dwb) + dot(ra_n, dwa));
+  return geometry.inverse_masses + (dot(rb_n, dwb) + dot(ra_n, dwa));
 }
 
 /// 1 / k, kg, of both tangents: k is the larger eigenvalue (chapter 08).
 template <class Lanes>
-Lanes step_of(const LanesOfRow<Lanes>& tangent1, const LanesOfRow<Lanes>& tangent2, const Lanes& k11,
-              const Lanes& k22) {
+Lanes step_size_of(const LanesOfRow<Lanes>& tangent1, const LanesOfRow<Lanes>& tangent2, const Lanes& k11,
+                   const Lanes& k22) {
   const Lanes k12 = dot(tangent2.rb_n, tangent1.dwb) + dot(tangent2.ra_n, tangent1.dwa), half = (k11 - k22) / 2;
   return 1 / ((k11 + k22) / 2 + sqrt(half * half + k12 * k12));
 }

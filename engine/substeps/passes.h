@@ -5,45 +5,45 @@
 
 #include <algorithm>
 
-#include "pushback/engine/substeps/along.h"
+#include "pushback/engine/substeps/rebuild_rows.h"
 
 namespace pushback {
 namespace {
 
 /// Once in a step: the rows, and what the impulses that they start from give the bodies.
 template <class Lanes, class Real>
-void prepare(const Bundles<Real>& all) {
+void prepare(const BundleRange<Real>& all) {
   each_bundle<Lanes>(all, [&](const Bundle<Real>& bundle, int at) {
-    Pairs<Lanes> given(bundle, all.given, at);
-    Levers<Lanes> levers{.arm_a = {},
-                         .arm_b = {},
-                         .inverse_inertia_a = load<Lanes>(bundle.inverse_inertia_a, at),
-                         .inverse_inertia_b = load<Lanes>(bundle.inverse_inertia_b, at),
-                         .inverse_masses = given.inverse_mass_a + given.inverse_mass_b};
+    Pairs<Lanes> given(bundle, all.impulse_velocities, at);
+    PairGeometry<Lanes> geometry{.arm_a = {},
+                                 .arm_b = {},
+                                 .inverse_inertia_a = load<Lanes>(bundle.inverse_inertia_a, at),
+                                 .inverse_inertia_b = load<Lanes>(bundle.inverse_inertia_b, at),
+                                 .inverse_masses = given.inverse_mass_a + given.inverse_mass_b};
     for (int c = bundle.first; c < bundle.end; ++c) {
       WideContact<Real>& contact = all.contacts[c];
-      levers.arm_a = load<Lanes>(all.points[c].arm_a, at);
-      levers.arm_b = load<Lanes>(all.points[c].arm_b, at);
+      geometry.arm_a = load<Lanes>(all.points[c].arm_a, at);
+      geometry.arm_b = load<Lanes>(all.points[c].arm_b, at);
       const auto present = load<Lanes>(all.points[c].present, at) > 0;
-      const Lanes K = make_row(contact.normal, load<Lanes>(bundle.n, at), levers, at);
-      const Lanes k11 = make_row(contact.tangent1, load<Lanes>(bundle.tangent1, at), levers, at);
-      const Lanes k22 = make_row(contact.tangent2, load<Lanes>(bundle.tangent2, at), levers, at);
+      const Lanes K = make_row(contact.normal, load<Lanes>(bundle.n, at), geometry, at);
+      const Lanes k11 = make_row(contact.tangent1, load<Lanes>(bundle.tangent1, at), geometry, at);
+      const Lanes k22 = make_row(contact.tangent2, load<Lanes>(bundle.tangent2, at), geometry, at);
       const LanesOfRow<Lanes> tangent1(bundle.tangent1, contact.tangent1, at),
           tangent2(bundle.tangent2, contact.tangent2, at);
       Lanes mass = 0, step_size = 0;
       where(present, mass) = 1 / K;
-      where(present, step_size) = step_of(tangent1, tangent2, k11, k22);
+      where(present, step_size) = step_size_of(tangent1, tangent2, k11, k22);
       store(mass, contact.rigid_mass, at);
       store(step_size, contact.step_size, at);
       give(given, bundle, contact, Lanes(1), at);
     }
-    given.put_back(bundle, all.given, at);
+    given.put_back(bundle, all.impulse_velocities, at);
   });
 }
 
 /// J V + b + gamma lambda = 0.
 template <class Lanes, class Real>
-void ask(WideContact<Real>& contact, const Lanes& bias, const Lanes& gamma_by_K, int at) {
+void set_equation(WideContact<Real>& contact, const Lanes& bias, const Lanes& gamma_by_K, int at) {
   const Lanes rigid = load<Lanes>(contact.rigid_mass, at);
   Lanes gamma = 0;
   where(rigid > 0, gamma) = gamma_by_K / rigid;
@@ -73,10 +73,10 @@ constexpr Real free_speed = Real(1e9);
 
 /// C = C_0 + J dX, and what each normal is to do in a substep. Returns the fastest bounce, m/s.
 template <class Lanes, class Real>
-Real prepare_substep(const Bundles<Real>& all, const WidePushOut<Real>& push_out) {
+Real prepare_substep(const BundleRange<Real>& all, const WidePushOut<Real>& push_out) {
   Real fastest = 0;
   each_bundle<Lanes>(all, [&](const Bundle<Real>& bundle, int at) {
-    const Pairs<Lanes> moved(bundle, all.moved, at);
+    const Pairs<Lanes> moved(bundle, all.displacements, at);
     const Lanes h = push_out.h;
     for (int c = bundle.first; c < bundle.end; ++c) {
       WideContact<Real>& contact = all.contacts[c];
@@ -88,9 +88,10 @@ Real prepare_substep(const Bundles<Real>& all, const WidePushOut<Real>& push_out
       where(apart, bias) = C / h;
       where(too_fast || apart, gamma_by_K) = 0;
       if (any_of(e > 0)) {
-        const Lanes approach = Pairs<Lanes>(bundle, all.before, at).along(normal);
+        const Lanes approach = Pairs<Lanes>(bundle, all.velocities_before, at).along(normal);
         const auto bounces = e > 0 && approach < -push_out.threshold && C + h * approach < 0;
-        const WideBounce<Lanes> back(e, C, -approach, approach - Pairs<Lanes>(bundle, all.now, at).along(normal), h);
+        const WideBounce<Lanes> back(e, C, -approach, approach - Pairs<Lanes>(bundle, all.velocities, at).along(normal),
+                                     h);
         where(e > 0 && C > h * push_out.threshold, bias) = free_speed<Real>;
         where(bounces, bias) = -back.way / h;
         where(bounces, gamma_by_K) = 0;
@@ -98,14 +99,14 @@ Real prepare_substep(const Bundles<Real>& all, const WidePushOut<Real>& push_out
         fastest = std::max(fastest, Real(hmax(Lanes(-bounce))));
       }
       store(bounce, contact.bounce, at);
-      ask(contact, bias, gamma_by_K, at);
+      set_equation(contact, bias, gamma_by_K, at);
     }
   });
   return fastest;
 }
 
 template <class Lanes, class Real>
-void relax(const Bundles<Real>& all) {
+void relax(const BundleRange<Real>& all) {
   each_bundle<Lanes>(all, [&](const Bundle<Real>& bundle, int at) {
     for (int c = bundle.first; c < bundle.end; ++c) {
       WideContact<Real>& contact = all.contacts[c];
@@ -113,7 +114,7 @@ void relax(const Bundles<Real>& all) {
       Lanes bias = load<Lanes>(contact.bias, at);
       where(bias < 0, bias) = 0;
       where(bounce < 0, bias) = bounce;
-      ask(contact, bias, Lanes(0), at);
+      set_equation(contact, bias, Lanes(0), at);
     }
   });
 }
@@ -164,29 +165,29 @@ void solve_friction_of(const Bundle<Real>& bundle, WideContact<Real>& contact, P
 /// `act(bundle, contact, pairs, at)` for each contact of each bundle, of two bundles in turn: while a contact waits for what the one
 /// before it has done to their bodies, the processor does one of other bodies. All bundles are of one set.
 template <class Lanes, class Real, class Act>
-void two_at_a_time(const Bundles<Real>& all, const Act& act) {
-  constexpr int parts = lanes_of_bundle / int(Lanes::size());
+void two_at_a_time(const BundleRange<Real>& all, const Act& act) {
+  constexpr int parts = lanes_per_bundle / int(Lanes::size());
   for (int i = 0; i < all.count * parts; i += 2) {
     const Bundle<Real>&first = all.bundles[i / parts], &second = all.bundles[(i + 1) / parts];
     const int at = i % parts * int(Lanes::size()), at2 = (i + 1) % parts * int(Lanes::size());
-    Pairs<Lanes> one(first, all.now, at);
+    Pairs<Lanes> one(first, all.velocities, at);
     if (i + 1 == all.count * parts) {
       for (int c = first.first; c < first.end; ++c) act(first, all.contacts[c], one, at);
-      one.put_back(first, all.now, at);
+      one.put_back(first, all.velocities, at);
       break;
     }
-    Pairs<Lanes> two(second, all.now, at2);
+    Pairs<Lanes> two(second, all.velocities, at2);
     for (int c = first.first, d = second.first; c < first.end || d < second.end; ++c, ++d) {
       if (c < first.end) act(first, all.contacts[c], one, at);
       if (d < second.end) act(second, all.contacts[d], two, at2);
     }
-    one.put_back(first, all.now, at);
-    two.put_back(second, all.now, at2);
+    one.put_back(first, all.velocities, at);
+    two.put_back(second, all.velocities, at2);
   }
 }
 
 template <class Lanes, class Real>
-Real solve_normals(const Bundles<Real>& all) {
+Real solve_normals(const BundleRange<Real>& all) {
   Lanes change = 0;
   two_at_a_time<Lanes>(
       all, [&](const Bundle<Real>& bundle, WideContact<Real>& contact, Pairs<Lanes>& pairs, int at)
@@ -195,40 +196,40 @@ Real solve_normals(const Bundles<Real>& all) {
 }
 /// After all normals: what holds a body has to know how it is pressed.
 template <class Lanes, class Real>
-void solve_friction(const Bundles<Real>& all) {
+void solve_friction(const BundleRange<Real>& all) {
   two_at_a_time<Lanes>(all, solve_friction_of<Lanes, Real, false>);
 }
 /// The last pass of a substep.
 template <class Lanes, class Real>
-void solve_friction_and_sum(const Bundles<Real>& all) {
+void solve_friction_and_sum(const BundleRange<Real>& all) {
   two_at_a_time<Lanes>(all, solve_friction_of<Lanes, Real, true>);
 }
 
 /// What a substep in which something bounces starts from; and from there the next one is to start as well.
 template <class Lanes, class Real>
-void save_impulses(const Bundles<Real>& all) {
+void save_impulses(const BundleRange<Real>& all) {
   each_bundle<Lanes>(all, [&](const Bundle<Real>& bundle, int at) {
     for (int c = bundle.first; c < bundle.end; ++c) {
       const WideContact<Real>& contact = all.contacts[c];
-      store(load<Lanes>(contact.normal.impulse, at), all.starts[c].x, at);
-      store(load<Lanes>(contact.tangent1.impulse, at), all.starts[c].y, at);
-      store(load<Lanes>(contact.tangent2.impulse, at), all.starts[c].z, at);
+      store(load<Lanes>(contact.normal.impulse, at), all.start_impulses[c].x, at);
+      store(load<Lanes>(contact.tangent1.impulse, at), all.start_impulses[c].y, at);
+      store(load<Lanes>(contact.tangent2.impulse, at), all.start_impulses[c].z, at);
     }
   });
 }
 template <class Lanes, class Real>
-void restore(const Bundles<Real>& all) {
+void restore_impulses(const BundleRange<Real>& all) {
   each_bundle<Lanes>(all, [&](const Bundle<Real>& bundle, int at) {
-    Pairs<Lanes> given(bundle, all.given, at);
+    Pairs<Lanes> given(bundle, all.impulse_velocities, at);
     for (int c = bundle.first; c < bundle.end; ++c) {
       WideContact<Real>& contact = all.contacts[c];
       give(given, bundle, contact, Lanes(-1), at);
-      store(load<Lanes>(all.starts[c].x, at), contact.normal.impulse, at);
-      store(load<Lanes>(all.starts[c].y, at), contact.tangent1.impulse, at);
-      store(load<Lanes>(all.starts[c].z, at), contact.tangent2.impulse, at);
+      store(load<Lanes>(all.start_impulses[c].x, at), contact.normal.impulse, at);
+      store(load<Lanes>(all.start_impulses[c].y, at), contact.tangent1.impulse, at);
+      store(load<Lanes>(all.start_impulses[c].z, at), contact.tangent2.impulse, at);
       give(given, bundle, contact, Lanes(1), at);
     }
-    given.put_back(bundle, all.given, at);
+    given.put_back(bundle, all.impulse_velocities, at);
   });
 }
 
@@ -239,13 +240,13 @@ Passes<Real> passes_of(const char* processor) {
           width,
           prepare<Lanes, Real>,
           prepare_substep<Lanes, Real>,
-          along<Lanes, Real>,
+          rebuild_rows<Lanes, Real>,
           relax<Lanes, Real>,
           solve_normals<Lanes, Real>,
           solve_friction<Lanes, Real>,
           solve_friction_and_sum<Lanes, Real>,
           save_impulses<Lanes, Real>,
-          restore<Lanes, Real>,
+          restore_impulses<Lanes, Real>,
           turn<Lanes, Real>};
 }
 template <class Real>

@@ -31,7 +31,7 @@ ContactState state_of(bool known, Scalar friction, Scalar pushed, Scalar rubbed1
 
 /// An impulse of the step before, N s, projected into the friction cone about a normal that may have turned since: a substep in
 /// which a contact bounces restores the impulses that it started from, and would restore them outside of the cone.
-inline Vec3 within_cone(const Vec3& impulse, const Vec3& n, Real friction) {
+inline Vec3 clamped_to_cone(const Vec3& impulse, const Vec3& n, Real friction) {
   const Real pressed = std::max(Real(0), impulse.dot(n));
   const Vec3 rubbed = impulse - impulse.dot(n) * n;
   const Real size = rubbed.norm();
@@ -41,30 +41,34 @@ inline Vec3 within_cone(const Vec3& impulse, const Vec3& n, Real friction) {
 /// The settings of a solver that divides its steps, and its plan: one sweep a substep, and a margin ahead of which contacts
 /// are detected, so that bodies that come to touch within the step have rows.
 struct SubsteppingSolver : StepSolver {
-  int substeps = 32;  ///< of a step of `per`: a longer one has more, a shorter one fewer, so contacts are as stiff
-  Real per = 0;       ///< s; 0: of every step, however long
+  int substeps =
+      32;  ///< of a step of `reference_step`: a longer one has more, a shorter one fewer, so contacts are as stiff
+  Real reference_step = 0;      ///< s; 0: of every step, however long
   Real margin = Real(0.02);     ///< m, added to the distance that a pair may approach in one step
   Real threshold = Real(0.1);   ///< m/s; what arrives slower does not bounce
   Real precision = Real(1e-6);  ///< to which normals are solved while something bounces, of the fastest bounce,
   int most_rounds = 100;        ///< or until they have been solved so often
-  Real abrupt = std::numeric_limits<Real>::infinity();  ///< m/s; or until no pass changes a speed by more than that
-  SoftContacts spring;                                  ///< chapter 12's: hertz, damping ratio, fastest push-out
+  Real recheck_speed =
+      std::numeric_limits<Real>::infinity();  ///< m/s; or until no pass changes a speed by more than that
+  SoftContacts spring;                        ///< chapter 12's: hertz, damping ratio, fastest push-out
 
   bool holds_joints() const override { return true; }
   void check(World& world, Real h) override {
     if (substeps < 1) throw InvalidInput(fmt::format("substeps is {}: a whole number, 1 or more, is needed", substeps));
-    require_not_negative("length of the step that substeps are of", per);
+    require_not_negative("reference_step", reference_step);
     require_not_negative("margin", margin);
     require_not_negative("threshold", threshold);
     require_not_negative("precision", precision);
-    if (!(abrupt > 0)) throw InvalidInput(fmt::format("abrupt is {}: more than 0 is needed", abrupt));
+    if (!(recheck_speed > 0))
+      throw InvalidInput(fmt::format("recheck_speed is {}: more than 0 is needed", recheck_speed));
     if (most_rounds < 1)
       throw InvalidInput(fmt::format("most_rounds is {}: a whole number, 1 or more, is needed", most_rounds));
     StepContext step = joints_step(world, h);
     spring.check(step);
   }
   Plan plan(Real dt) const override {
-    const Real parts = per > 0 ? static_cast<Real>(substeps) * dt / per * (1 - rounding) : static_cast<Real>(substeps);
+    const Real parts = reference_step > 0 ? static_cast<Real>(substeps) * dt / reference_step * (1 - rounding)
+                                          : static_cast<Real>(substeps);
     // Whatever dt is: plan is asked before dt is checked.
     const Real finite = parts < most_substeps ? parts : most_substeps;
     return {.substeps = std::max(1, static_cast<int>(std::ceil(finite))),
@@ -81,7 +85,7 @@ struct SubsteppingSolver : StepSolver {
   /// Joints build their own rows in each substep and do not read the contacts, so the list of contact rows is empty.
   StepContext joints_step(World& world, Real h) { return {world, world.contacts, no_rows_, h}; }
   PushOut push_out(Real h) const {
-    const Real w = spring.angular_frequency(per > 0 ? per / static_cast<Real>(substeps) : h),
+    const Real w = spring.angular_frequency(reference_step > 0 ? reference_step / static_cast<Real>(substeps) : h),
                damping = 2 * spring.damping_ratio + h * w;
     return {w / damping, 1 / (h * w * damping), spring.fastest_push_out, threshold};
   }
@@ -100,12 +104,12 @@ struct SubsteppingSolver : StepSolver {
     }
   }
   /// `pass()` goes over the normals and says by how much it changed a speed, m/s. Once; where something bounces, as often as
-  /// it takes, as in chapter 09; and again after a pass that changes one by more than `abrupt`, unless such changes grow.
+  /// it takes, as in chapter 09; and again after a pass that changes one by more than `recheck_speed`, unless such changes grow.
   template <class Pass>
   void solve_normals_until_solved(const Pass& pass) const {
     Real change = pass();
     const bool bounces = fastest_ > 0;
-    const Real enough = bounces ? precision * fastest_ : abrupt, growing = 2 * change;
+    const Real enough = bounces ? precision * fastest_ : recheck_speed, growing = 2 * change;
     for (int round = 1; round < most_rounds && change > enough && (bounces || change <= growing); ++round)
       change = pass();
   }
@@ -115,7 +119,7 @@ struct SubsteppingSolver : StepSolver {
 
  private:
   static constexpr Real rounding = Real(1e-5);      // so much longer may a step be by chance
-  static constexpr Real most_substeps = Real(1e6);  // of a step, by `per`
+  static constexpr Real most_substeps = Real(1e6);  // of a step, by `reference_step`
   Rows no_rows_;
 };
 

@@ -60,7 +60,7 @@ template <class Lanes>
                                 by * (cxz * error.x + (xy * zx - zy) * error.y + (one - xy * yx) * error.z)};
     const Lanes size = dot(correction, correction);
     going = going && most >= size;  // not if it is no number
-    m = either(going, m - correction, m);
+    m = select(going, m - correction, m);
     going = going && size > least;
     if (none_of(going)) break;
   }
@@ -68,7 +68,7 @@ template <class Lanes>
 }
 
 template <class Lanes, class Real>
-[[gnu::always_inline]] inline void store(const Orientation<Lanes>& q, Turning<Real>& to, int at) {
+[[gnu::always_inline]] inline void store(const Orientation<Lanes>& q, EightRotations<Real>& to, int at) {
   store(q.v.x, to.x, at);
   store(q.v.y, to.y, at);
   store(q.v.z, to.z, at);
@@ -77,21 +77,21 @@ template <class Lanes, class Real>
 
 /// By h. What does not turn keeps its bits, and what is as heavy about any axis its w.
 template <class Lanes, class Real>
-void turn(Turning<Real>& all, Real h) {
+void turn(EightRotations<Real>& all, Real h) {
   const Lanes zero(0), half(h / 2);
-  for (int at = 0; at < lanes_of_bundle; at += int(Lanes::size())) {
+  for (int at = 0; at < lanes_per_bundle; at += int(Lanes::size())) {
     const Orientation<Lanes> q{{load<Lanes>(all.x, at), load<Lanes>(all.y, at), load<Lanes>(all.z, at)},
                                load<Lanes>(all.s, at)};
     const Vec<Lanes> w = load<Lanes>(all.w, at), given = load<Lanes>(all.inverse_inertia, at);
     const Lanes uneven = max(max(abs(given.x - given.y), abs(given.y - given.z)), abs(given.z - given.x));
     const auto turns = abs(w.x) + abs(w.y) + abs(w.z) > zero;
     const auto tumbles = turns && given.x > zero && given.y > zero && given.z > zero && uneven > zero;
-    const Vec<Lanes> inverse = either(tumbles, given, Vec<Lanes>{1, 1, 1});
+    const Vec<Lanes> inverse = select(tumbles, given, Vec<Lanes>{1, 1, 1});
     const Vec<Lanes> spin = rotated_back(q, w);
     Lanes solved(1);
     if (none_of(tumbles)) {
       const Orientation<Lanes> after = turned(q, half * spin);
-      store(Orientation<Lanes>{either(turns, after.v, q.v), either(turns, after.s, q.s)}, all, at);
+      store(Orientation<Lanes>{select(turns, after.v, q.v), select(turns, after.s, q.s)}, all, at);
     } else {
       const Vec<Lanes> p{spin.x / inverse.x, spin.y / inverse.y, spin.z / inverse.z};
       const Vec<Lanes> momentum = rotated(q, p);  // stays where it is in the world
@@ -101,8 +101,8 @@ void turn(Turning<Real>& all, Real h) {
       const Lanes twice_energy = dot(p, spin), gained = dot(p_after, spin_after) - twice_energy;
       constexpr Real rounding = Real(1e4) * std::numeric_limits<Real>::epsilon();
       where(tumbles && !(Lanes(rounding) * twice_energy >= abs(gained)), solved) = zero;
-      store(Orientation<Lanes>{either(turns, after.v, q.v), either(turns, after.s, q.s)}, all, at);
-      store(either(tumbles, rotated(after, spin_after), w), all.w, at);
+      store(Orientation<Lanes>{select(turns, after.v, q.v), select(turns, after.s, q.s)}, all, at);
+      store(select(tumbles, rotated(after, spin_after), w), all.w, at);
     }
     store(solved, all.solved, at);
   }

@@ -28,7 +28,7 @@ Rows normals_of(World& world) {
 /// One contact with the given block, so that the answer can be said.
 ContactProblem one_contact(const Eigen::Matrix3d& block, const Eigen::Vector3d& q, double mu) {
   ContactProblem problem;
-  problem.w = SparseRows(block.sparseView(0, 0));
+  problem.w = SparseMatrix(block.sparseView(0, 0));
   problem.q = q;
   problem.mu = Vector::Constant(1, mu);
   return problem;
@@ -59,16 +59,16 @@ TEST_CASE("sequential impulses are projected Gauss-Seidel on the matrix of all r
   Friction friction;
   StepContext step{frame.world, contacts, rows, h};
   friction.build(step);
-  const SparseRows a = matrix_of(rows);
+  const SparseMatrix a = matrix_of(rows);
   const Vector b = speeds_of(rows);
   Vector impulses = Vector::Zero(b.size());
   const Index normals = std::ssize(contacts);
   for (int sweep = 0; sweep < 20; ++sweep) {
-    for (Index i = 0; i < normals; ++i) project(a, b, i, 0, 1e300, impulses);
+    for (Index i = 0; i < normals; ++i) project_row(a, b, i, 0, 1e300, impulses);
     for (Index i = normals; i < b.size(); ++i) {
       const std::size_t contact = rows[static_cast<std::size_t>(i)].owner;
       const double bound = static_cast<double>(contacts[contact].friction) * impulses[static_cast<Index>(contact)];
-      project(a, b, i, -bound, bound, impulses);
+      project_row(a, b, i, -bound, bound, impulses);
     }
   }
   Solver<Clamping, Friction> solver;
@@ -111,7 +111,7 @@ TEST_CASE("a contact that pressed, and is opened by another") {
   ContactProblem problem;
   Eigen::MatrixXd w = Eigen::MatrixXd::Identity(6, 6);
   w(0, 3) = w(3, 0) = 0.9;
-  problem.w = SparseRows(w.sparseView(0, 0));
+  problem.w = SparseMatrix(w.sparseView(0, 0));
   problem.q = Vector::Zero(6);
   problem.q[0] = -1;
   problem.q[3] = -10;  // 10 N s there open the first contact with 8 m/s

@@ -4,7 +4,7 @@
 #include "pushback/chapters/16_whole_problem/laws.h"
 #include "pushback/chapters/17_direct_contacts/methods.h"
 #include "pushback/common/world/situations.h"
-#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/direct/row_matrix.h"
 #include "tests/support/catch.h"
 
 using namespace pushback;
@@ -39,7 +39,7 @@ double outside(const Vector3d& r, double mu) {  // of the cone, as the crow flie
 }
 
 ContactProblem problem_with(const Eigen::MatrixXd& w, const Vector& q, double mu) {
-  return {SparseRows(w.sparseView(0, 0)), q, Vector::Constant(q.size() / 3, mu)};
+  return {SparseMatrix(w.sparseView(0, 0)), q, Vector::Constant(q.size() / 3, mu)};
 }
 
 ContactProblem sliding_stack_problem() {
@@ -202,13 +202,13 @@ TEST_CASE("the unitless residual does not see how tangents are chosen, and is th
     const double angle = 0.3 + static_cast<double>(c);
     turn.block<2, 2>(3 * c + 1, 3 * c + 1) << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
   }
-  const ContactProblem turned{SparseRows((turn * problem.w * turn.transpose()).sparseView(0, 0)), turn * problem.q,
+  const ContactProblem turned{SparseMatrix((turn * problem.w * turn.transpose()).sparseView(0, 0)), turn * problem.q,
                               problem.mu};
   CHECK(unitless_residual(turned, turn * r) == Approx(unitless).epsilon(1e-12));
   Vector scale(size);
   for (Index c = 0; c < problem.contacts(); ++c) scale.segment<3>(3 * c).setConstant(unit_scales(problem)[c]);
   const Vector inverse = scale.cwiseInverse();
-  const ContactProblem scaled{SparseRows(inverse.asDiagonal() * problem.w * inverse.asDiagonal()),
+  const ContactProblem scaled{SparseMatrix(inverse.asDiagonal() * problem.w * inverse.asDiagonal()),
                               inverse.cwiseProduct(problem.q), problem.mu};
   CHECK(relative_residual(scaled, scale.cwiseProduct(r)) == Approx(unitless).epsilon(1e-12));
   CHECK((unit_scales(scaled) - Vector::Ones(problem.contacts())).norm() < 1e-12);

@@ -7,7 +7,7 @@
 #include "pushback/chapters/17_direct_contacts/methods.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/common/world/situations.h"
-#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/direct/row_matrix.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
 

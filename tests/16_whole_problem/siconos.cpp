@@ -3,7 +3,7 @@
 
 #include "pushback/chapters/16_whole_problem/problem_file.h"
 #include "pushback/common/world/situations.h"
-#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/direct/row_matrix.h"
 #include "pushback/tools/measure/frozen/methods.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"

@@ -95,7 +95,7 @@ TEST_CASE("problems that others wrote are solved") {
     if (file.stem() == "RockPile_tob1") continue;  // half a minute: the long test below
     const Solution found = solve_best(problem);
     CHECK(found.residual < 1e-12);
-    CHECK(found.work < Effort{}.work / 3);  // the limit is far off
+    CHECK(found.work < SolveLimits{}.work / 3);  // the limit is far off
   }
   INFO("the cone's sweeps reach 1e-4 within 1000 on " << reached << " of " << tried << ", conjugate ones on "
                                                       << conjugate);
@@ -108,7 +108,7 @@ TEST_CASE("the pile of rocks, which takes longest, is solved", "[long]") {
     if (file.stem() != "RockPile_tob1") continue;
     const Solution found = solve_best(read_problem_file(file));
     CHECK(found.residual < 1e-12);
-    CHECK(found.work < Effort{}.work / 3);
+    CHECK(found.work < SolveLimits{}.work / 3);
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include "pushback/chapters/17_direct_contacts/pivoting.h"
 #include "pushback/common/world/situations.h"
-#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/direct/row_matrix.h"
 #include "tests/support/catch.h"
 
 #ifdef PUSHBACK_CGAL
@@ -19,7 +19,7 @@ namespace {
 using Eigen::Index;
 
 struct Frictionless {
-  SparseRows a;
+  SparseMatrix a;
   Vector b;
 };
 template <class Fill>
@@ -41,7 +41,7 @@ Frictionless random_problem(unsigned seed, Index rows, Index rank) {
     for (Index j = 0; j < rank; ++j) g(i, j) = static_cast<double>(random() % 7) - 3;
   Vector v(rank);
   for (Index j = 0; j < rank; ++j) v[j] = static_cast<double>(random() % 15) - 7;
-  return {SparseRows((g * g.transpose()).sparseView(0, 0)), g * v};  // b = G v: as JV is, so that there is a solution
+  return {SparseMatrix((g * g.transpose()).sparseView(0, 0)), g * v};  // b = G v: as JV is, so that there is a solution
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ TEST_CASE("pivoting: random problems of low rank, all solved") {
 }
 
 TEST_CASE("pivoting: nothing is returned where there is no solution") {
-  SparseRows a(2, 2);  // the second row cannot be moved, and closes
+  SparseMatrix a(2, 2);  // the second row cannot be moved, and closes
   a.insert(0, 0) = 1;
   Vector b(2);
   b << -1, -1;

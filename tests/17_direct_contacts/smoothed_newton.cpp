@@ -6,10 +6,10 @@
 #include "pushback/chapters/16_whole_problem/problem_file.h"
 #include "pushback/chapters/17_direct_contacts/growth.h"
 #include "pushback/common/world/situations.h"
-#include "pushback/engine/direct/best.h"
-#include "pushback/engine/direct/matrix.h"
 #include "pushback/engine/direct/newton_system.h"
+#include "pushback/engine/direct/row_matrix.h"
 #include "pushback/engine/direct/smoothed_newton.h"
+#include "pushback/engine/direct/solve_best.h"
 #include "tests/support/catch.h"
 #include "tests/support/foreign_problems.h"
 #include "tests/support/frame.h"
@@ -20,7 +20,7 @@ using namespace pushback;
 namespace {
 
 ContactProblem problem_with(const Eigen::MatrixXd& w, const Vector& q, double mu) {
-  return {SparseRows(w.sparseView(0, 0)), q, Vector::Constant(q.size() / 3, mu)};
+  return {SparseMatrix(w.sparseView(0, 0)), q, Vector::Constant(q.size() / 3, mu)};
 }
 
 /// Boxes of different sides, turned, each on the one below or beside it, thrown.
@@ -42,8 +42,8 @@ TEST_CASE("W is B B^T, whatever the bodies' sides and turns") {
     Frame frame(fill);
     const ContactProblem problem = problem_of(frame.world);
     REQUIRE(problem.contacts() > 12);
-    const SparseRows b = factor_of(frame.world), transposed = b.transpose(), product = b * transposed;
-    CHECK(SparseRows(product - problem.w).norm() < rounding * problem.w.norm());
+    const SparseMatrix b = factor_of(frame.world), transposed = b.transpose(), product = b * transposed;
+    CHECK(SparseMatrix(product - problem.w).norm() < rounding * problem.w.norm());
   }
 }
 
@@ -100,7 +100,7 @@ TEST_CASE("each r is within its cone, to rounding, however early it ends") {
 TEST_CASE("the smoothed method stops after counted work, in the same bits, and never worse for more of it") {
   Frame frame([](World& world) { pyramid(world, 6); });
   const ContactProblem problem = problem_of(frame.world);
-  const SparseRows factor = factor_of(frame.world);
+  const SparseMatrix factor = factor_of(frame.world);
   const SmoothedSolution whole = solve_smoothed(problem, {}, factor);
   REQUIRE(whole.residual <= 1e-8);
   double last = relative_residual(problem, Vector::Zero(problem.q.size()));

@@ -7,9 +7,9 @@
 #include "pushback/chapters/04_slop/slop.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/situations.h"
-#include "pushback/engine/direct/best.h"
-#include "pushback/engine/direct/handful.h"
-#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/direct/row_matrix.h"
+#include "pushback/engine/direct/small_contact_problem.h"
+#include "pushback/engine/direct/solve_best.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
 #include "tests/support/frame.h"
@@ -46,8 +46,8 @@ Rows rows_of(World& world) {
 
 constexpr double solved_to = std::is_same_v<Real, float> ? 1e-5 : 1e-10;
 
-/// Handful and sparse systems on 200 of these, made `stiffer` by that part of W's largest number on its diagonal: both solve,
-/// and in the same speeds where there is one answer. Returns how many the handful has solved.
+/// Small and sparse systems on 200 of these, made `stiffer` by that part of W's largest number on its diagonal: both solve,
+/// and in the same speeds where there is one answer. Returns how many solve_small has solved.
 int solved_alike(const std::function<double(double)>& friction, double stiffer, bool one_answer) {
   Random random(7);
   int solved = 0;
@@ -55,18 +55,18 @@ int solved_alike(const std::function<double(double)>& friction, double stiffer, 
     Frame frame = two_boxes(random);
     const Rows rows = rows_of(frame.world);
     ContactProblem problem = problem_of(frame.world);
-    REQUIRE(problem.contacts() == Handful::most);
-    Handful handful{matrix_of_handful(rows, places_in_problem(frame.world.contacts, rows)), problem.q, {}};
-    CHECK((handful.w - Eigen::MatrixXd(problem.w)).norm() <= solved_to * problem.w.norm());
-    const double more = stiffer * handful.w.maxCoeff();
-    for (Eigen::Index row = 0; row < handful.w.rows(); ++row) {
-      handful.w(row, row) += more;
+    REQUIRE(problem.contacts() == SmallContactProblem::most_contacts);
+    SmallContactProblem small{small_matrix_of(rows, places_in_problem(frame.world.contacts, rows)), problem.q, {}};
+    CHECK((small.w - Eigen::MatrixXd(problem.w)).norm() <= solved_to * problem.w.norm());
+    const double more = stiffer * small.w.maxCoeff();
+    for (Eigen::Index row = 0; row < small.w.rows(); ++row) {
+      small.w(row, row) += more;
       problem.w.coeffRef(row, row) += more;
     }
     for (double& mu : problem.mu) mu = friction(mu);
-    handful.mu = problem.mu;
-    Handful::Impulses r = Vector::Zero(problem.q.size());
-    if (!solve_handful(handful, r, solved_to)) {
+    small.mu = problem.mu;
+    SmallContactProblem::Impulses r = Vector::Zero(problem.q.size());
+    if (!solve_small(small, r, solved_to)) {
       CHECK(r.isZero(0));
       continue;
     }
@@ -94,7 +94,7 @@ TEST_CASE("what rests as the guess says takes no system, and once the multiplica
   World world;
   stack(world, 4);
   Warm solver;
-  solver.too_far = 1e-5;
+  solver.fallback_tolerance = 1e-5;
   for (int step = 0; step < 120; ++step) world.step(solver, h, 10);
   const double before = -solver.work;
   CHECK(std::isinf(before));

@@ -30,7 +30,7 @@ template <class JointSolver>
 Real largest_error(const JointSolver& solver) {
   Real largest = 0;
   for (const JointRow& row : solver.joint_rows())
-    if (!limited(row)) largest = std::max(largest, std::abs(row.speed() + row.bias + row.softness * row.impulse));
+    if (!has_limits(row)) largest = std::max(largest, std::abs(row.speed() + row.bias + row.softness * row.impulse));
   return largest;
 }
 
@@ -73,7 +73,7 @@ TEST_CASE("joints at once: fifty links and a thousand times the mass of one, aft
   world.begin_step(h);
   AtOnce solver;
   solver.solve(world, h, 0);
-  CHECK(solver.matrix().rows_that_count() == solver.joint_rows().size());
+  CHECK(solver.matrix().solved_rows() == solver.joint_rows().size());
   const Real before = largest_error(solver);
   solver.solve(world, h, 1);
   INFO(largest_error(solver) << " of " << before);
@@ -141,7 +141,7 @@ TEST_CASE("joints at once: four bars say three things twice, and those rows are 
   Swept swept;
   one.step(at_once, h, 1);
   CHECK(at_once.joint_rows().size() == 20);
-  CHECK(at_once.matrix().rows_that_count() == 17);
+  CHECK(at_once.matrix().solved_rows() == 17);
   CHECK(largest_error(at_once) < (in_double ? Real(1e-11) : Real(1e-3)));  // of all twenty
   other.step(swept, h, 20000);
   CHECK(apart(one, other) < (in_double ? Real(1e-10) : Real(1e-3)));
@@ -151,7 +151,7 @@ TEST_CASE("joints at once: four bars say three things twice, and those rows are 
     other.step(swept, h, 1000);
     off = std::max(off, largest_joint_error(one));
     off_swept = std::max(off_swept, largest_joint_error(other));
-    REQUIRE(at_once.matrix().rows_that_count() == 17);
+    REQUIRE(at_once.matrix().solved_rows() == 17);
   }
   INFO(off << " m, swept " << off_swept << " m");
   CHECK(off < Real(1.01) * off_swept);
@@ -216,7 +216,7 @@ TEST_CASE(
         INFO(name << ", step " << step << ": " << row.impulse << " of " << row.lo << " to " << row.hi);
         REQUIRE(row.error() < (in_double ? Real(1e-9) : Real(1e-2)));
         REQUIRE((row.lo <= row.impulse && row.impulse <= row.hi));
-        at_a_limit += limited(row) && std::abs(row.impulse) > 0;
+        at_a_limit += has_limits(row) && std::abs(row.impulse) > 0;
       }
     }
     INFO(name);

@@ -57,7 +57,7 @@ World random_trees(Random& random, int count) {
 /// Rows, and the joints that they belong to.
 struct Asked {
   JointRows rows;
-  std::vector<JointMatrix::Held> joints;
+  std::vector<JointMatrix::JointBodies> joints;
   std::vector<char> taken;
 
   explicit Asked(World& world) {
@@ -109,7 +109,7 @@ TEST_CASE("joint matrix: in trees, L has a block where A has one, and no other")
     const Asked asked(world);
     JointMatrix matrix;
     matrix.factor(asked.rows, asked.joints, asked.taken);
-    REQUIRE(matrix.blocks() == asked.pairs_that_share_a_body());
+    REQUIRE(matrix.off_diagonal_blocks() == asked.pairs_that_share_a_body());
   }
 }
 
@@ -126,7 +126,7 @@ TEST_CASE("joint matrix: solves A x = b, in trees and with loops") {
     const Eigen::MatrixXd a = asked.dense();
     JointMatrix matrix;
     matrix.factor(asked.rows, asked.joints, asked.taken);
-    if (matrix.rows_that_count() < asked.rows.size()) continue;  // more joints than bodies can follow
+    if (matrix.solved_rows() < asked.rows.size()) continue;  // more joints than bodies can follow
     Eigen::VectorXd b(a.rows());
     for (Eigen::Index k = 0; k < b.size(); ++k) b[k] = static_cast<double>(random.between(-1, 1));
     std::vector<double> x(b.data(), b.data() + b.size());

@@ -1,5 +1,5 @@
 /// Chapter 18: joints solved at once, beside contacts and in substeps.
-#include "pushback/engine/direct/trees_directly.h"
+#include "pushback/engine/direct/direct_tree_joints.h"
 
 #include "pushback/chapters/12_soft_contacts/steady_solver.h"
 #include "pushback/chapters/13_joints/study.h"
@@ -127,7 +127,7 @@ TEST_CASE("trees directly: a man and a chain are trees, a cloth and four bars ar
     }
     world.joints.push_back(ball_and_socket(world, above, the_world, {Real(4.5), 8, 0}));  // at both ends: no loop
   });
-  With<TreesDirectly> solver;
+  With<DirectTreeJoints> solver;
   for (int step = 0; step < 60; ++step) substeps(world, solver, h, 4, 1);
   std::vector<std::size_t> directly(world.joints.size()), swept(world.joints.size());
   for (const JointRow& row : solver.trees.joint_rows()) ++directly[row.owner];
@@ -155,7 +155,7 @@ TEST_CASE(
   for (int i = 0; i < balls; ++i) ring.add(sphere(Real(0.1), 1).at(place(i)).moving({0, Real(i % 3), 1}));
   for (int i = 0; i < balls; ++i)
     ring.joints.push_back(distance(ring, 1 + i, place(i), 1 + (i + 1) % balls, place((i + 1) % balls)));
-  With<TreesDirectly> shared;
+  With<DirectTreeJoints> shared;
   for (const bool cut : {false, true}) {
     if (cut) ring.joints.pop_back();
     World other = ring;

@@ -4,7 +4,7 @@
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/shard.h"
 #include "pushback/common/world/situations.h"
-#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/direct/row_matrix.h"
 #include "pushback/engine/direct/smoothed_newton.h"
 #include "pushback/tools/measure/frozen/methods.h"
 #include "pushback/tools/measure/frozen/report.h"
@@ -59,8 +59,8 @@ TEST_CASE("every frozen problem is symmetric, and the small ones can be solved")
 TEST_CASE("where bodies are known, W is B B^T, and the smoothed method solves between them") {
   for (const FrozenProblem& frozen : ours()) {
     INFO(frozen.name);
-    const SparseRows transposed = frozen.factor.transpose(), product = frozen.factor * transposed;
-    CHECK(SparseRows(product - frozen.problem.w).norm() <= 1e-12 * frozen.problem.w.norm());
+    const SparseMatrix transposed = frozen.factor.transpose(), product = frozen.factor * transposed;
+    CHECK(SparseMatrix(product - frozen.problem.w).norm() <= 1e-12 * frozen.problem.w.norm());
   }
   const FrozenProblem& frozen = named("pyramid of 5");
   const double from_bodies = Trace(frozen.problem, "smoothed", limited_to(1), frozen.factor).points().back().residual;

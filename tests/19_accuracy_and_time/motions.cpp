@@ -7,12 +7,12 @@
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
 #include "pushback/chapters/09_impacts/simultaneous.h"
 #include "pushback/chapters/13_joints/scenes.h"
-#include "pushback/chapters/19_accuracy_and_time/seat.h"
+#include "pushback/chapters/19_accuracy_and_time/rest_depth.h"
 #include "pushback/chapters/19_accuracy_and_time/truth.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
-#include "pushback/engine/direct/best.h"
-#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/direct/row_matrix.h"
+#include "pushback/engine/direct/solve_best.h"
 #include "pushback/engine/direct/warm_direct_contacts.h"
 #include "pushback/tools/measure/study/every_motion.h"
 #include "pushback/tools/measure/study/relaxed_law.h"
@@ -251,42 +251,42 @@ TEST_CASE("half the step is half the error: of what slides, and of what swings")
   for (const std::string& method : methods_of("pendulum")) halves("pendulum", method, "1");
 }
 
-// ---- a seat, and direct contacts --------------------------------------------------------------------------------------
+// ---- a rest depth, and direct contacts --------------------------------------------------------------------------------------
 
 namespace {
 
-using Swept = Solver<Clamping, Baumgarte, Seat, Restitution, FrictionCone, WarmStart>;
+using Swept = Solver<Clamping, Baumgarte, RestDepth, Restitution, FrictionCone, WarmStart>;
 
-using Direct = Solver<Clamping, Baumgarte, Seat, Restitution, FrictionCone, WarmStart, WarmDirectContacts>;
+using Direct = Solver<Clamping, Baumgarte, RestDepth, Restitution, FrictionCone, WarmStart, WarmDirectContacts>;
 
 constexpr Real h = Real(1) / 60;
 
 }  // namespace
 
-TEST_CASE("one box comes to rest as deep as its seat, by the same part each step: from above, and from below") {
-  const Real seat = Real(1e-3);
+TEST_CASE("one box comes to rest as deep as its rest depth, by the same part each step: from above, and from below") {
+  const Real rest_depth = Real(1e-3);
   for (const Real beta : {Real(0.1), Real(0.2), Real(0.5)}) {
-    for (const Real start : {Real(0.0001) * seat, 4 * seat}) {
+    for (const Real start : {Real(0.0001) * rest_depth, 4 * rest_depth}) {
       World world;
       world.add(ground());
       world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, Real(0.5) - start, 0}));
       Swept solver;
-      solver.seat = seat;
-      solver.Seat::beta = beta;
+      solver.rest_depth = rest_depth;
+      solver.RestDepth::beta = beta;
       solver.Baumgarte::beta = beta;
-      double missing = static_cast<double>(seat - start);
+      double missing = static_cast<double>(rest_depth - start);
       for (int step = 0; step < 100; ++step) {
         world.step(solver, h, 50);
         missing *= 1 - static_cast<double>(beta);
         const double depth = 0.5 - static_cast<double>(world.bodies[1].position.y());
         INFO(beta << " from " << start << ", step " << step);
-        REQUIRE(seat - depth == Approx(missing).epsilon(1e-6).margin(1e-9));
+        REQUIRE(rest_depth - depth == Approx(missing).epsilon(1e-6).margin(1e-9));
       }
     }
   }
 }
 
-TEST_CASE("ten boxes solved directly end ten seats deep") {
+TEST_CASE("ten boxes solved directly end ten rest depths deep") {
   World world;
   stack(world, 10);
   Direct solver;

@@ -4,7 +4,7 @@
 #include "pushback/chapters/10_position_correction/nonlinear_gauss_seidel.h"
 #include "pushback/chapters/10_position_correction/split_impulse.h"
 #include "pushback/chapters/15_limits_motors_springs/piston.h"
-#include "pushback/chapters/19_accuracy_and_time/seat.h"
+#include "pushback/chapters/19_accuracy_and_time/rest_depth.h"
 #include "pushback/chapters/26_to_each_its_own/scenes.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/engine/presets.h"
@@ -141,7 +141,7 @@ TEST_CASE("what a solver refuses has changed nothing, and names the value") {
   refused(with<Split>([](auto& s) { s.rounds = -1; }), "rounds is -1");
   refused(with<Nonlinear>([](auto& s) { s.most = -1; }), "most is -1");
   refused(with<Solver<Joints, Clamping, SequentialImpacts>>([](auto& s) { s.threshold = -1; }), "threshold is -1");
-  refused(with<Solver<Joints, Clamping, Seat>>([](auto& s) { s.seat = -1; }), "seat is -1");
+  refused(with<Solver<Joints, Clamping, RestDepth>>([](auto& s) { s.rest_depth = -1; }), "rest_depth is -1");
 }
 
 TEST_CASE("a joint that asks for what cannot be has stopped the step before anything changed") {

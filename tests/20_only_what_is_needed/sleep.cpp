@@ -169,7 +169,7 @@ TEST_CASE("who hangs on the same immovable body, or on the world, is not joined 
 TEST_CASE("who has kept its place for as long as it takes sleeps, and who has not does not") {
   World world;
   world.gravity.setZero();
-  const Real fast_enough = 2 * Sleep{}.place / Sleep{}.seconds;
+  const Real fast_enough = 2 * Sleep{}.rest_distance / Sleep{}.time_to_sleep;
   world.add(sphere(1, 1));
   world.add(sphere(1, 1).at({5, 0, 0}).moving({fast_enough, 0, 0}));
   world.add(sphere(1, 1).at({10, 0, 0}).spinning({0, fast_enough, 0}));
@@ -585,8 +585,8 @@ TEST_CASE("sleep: what cannot be simulated is refused, and nothing has moved") {
   with(piles.world.bodies[0].position.y(), not_a_number, "position");
   with(piles.world.gravity.x(), not_a_number, "gravity");
   for (const Real wrong : {Real(-1), not_a_number, std::numeric_limits<Real>::infinity()}) {
-    with(piles.sleep().seconds, wrong, "time to fall asleep");
-    with(piles.sleep().place, wrong, "place of a sleeper");
+    with(piles.sleep().time_to_sleep, wrong, "time to fall asleep");
+    with(piles.sleep().rest_distance, wrong, "place of a sleeper");
   }
   CHECK(complaint([&] { piles.solver.step(piles.world, 0); }).find("dt") != std::string::npos);
   CHECK(complaint([&] { piles.solver.step(piles.world, h, -1); }).find("sweeps") != std::string::npos);

@@ -6,7 +6,7 @@
 #include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/21_detected_once/detected_once.h"
 #include "pushback/common/bodies/random.h"
-#include "pushback/engine/substeps/wide.h"
+#include "pushback/engine/substeps/wide_solver.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
 
@@ -90,13 +90,13 @@ void is_one_plane(Kind kind, Real off_at_most) {
 
 TEST_CASE("wide: a box slides over tiles that lie flush as on one plane") {
   is_one_plane<DetectedOften>(Kind::box, Real(1e-3));
-  is_one_plane<Wide<Real>>(Kind::box, Real(1e-3));
+  is_one_plane<WideSolver<Real>>(Kind::box, Real(1e-3));
   is_one_plane<DetectedOnce>(Kind::box, Real(1e-3));
 }
 TEST_CASE("wide: a hull slides over tiles that lie flush as on one plane") {
   is_one_plane<DetectedOften>(Kind::hull, Real(1e-3));
-  is_one_plane<Wide<Real>>(Kind::hull, Real(1e-3));
+  is_one_plane<WideSolver<Real>>(Kind::hull, Real(1e-3));
 }
 TEST_CASE("wide: a ball rolls over tiles that lie flush as on one plane") {
-  is_one_plane<Wide<Real>>(Kind::ball, Real(5e-3));  // of up to 8 m: at edges it sinks in by some micrometres
+  is_one_plane<WideSolver<Real>>(Kind::ball, Real(5e-3));  // of up to 8 m: at edges it sinks in by some micrometres
 }

@@ -7,8 +7,9 @@
 #include "pushback/common/collision/collide.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
-#include "pushback/engine/substeps/along.h"
-#include "pushback/engine/substeps/wide.h"
+#include "pushback/engine/substeps/normal_source.h"
+#include "pushback/engine/substeps/rebuild_rows.h"
+#include "pushback/engine/substeps/wide_solver.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
 
@@ -35,7 +36,7 @@ WidePoint<Real> point_of(const Contact& contact, const Body& a, const Body& b) {
   WidePoint<Real> point{};
   store(lanes_of(contact.point - a.position), point.arm_a, 0);
   store(lanes_of(contact.point - b.position), point.arm_b, 0);
-  point.gap.of[0] = -contact.depth;
+  point.gap.values[0] = -contact.depth;
   return point;
 }
 
@@ -44,11 +45,11 @@ struct Ridden {
   Vec3 n, found_n, point, found_point;  // m: midway between both surfaces
   Real C = 0, found_C = 0;              // m
 };
-Ridden ride(Body a, Body b, const Contact& contact, Rides rides, Random& random) {
+Ridden ride(Body a, Body b, const Contact& contact, NormalSource source, Random& random) {
   const Vec3 way_a = a.movable() ? random.vector(Real(0.02)) : Vec3::Zero(), way_b = random.vector(Real(0.02));
   const Vec3 theta_a = a.movable() ? random.vector(Real(0.1)) : Vec3::Zero(), theta_b = random.vector(Real(0.1));
-  const Riding<One> riding{.on_a = One(rides == Rides::on_a ? 1 : 0) > 0,
-                           .on_b = One(rides == Rides::on_b ? 1 : 0) > 0,
+  const Riding<One> riding{.face_a = One(source == NormalSource::face_a ? 1 : 0) > 0,
+                           .face_b = One(source == NormalSource::face_b ? 1 : 0) > 0,
                            .turn_a = turn_by(lanes_of(theta_a)),
                            .turn_b = turn_by(lanes_of(theta_b)),
                            .way = lanes_of(way_b - way_a),
@@ -85,13 +86,13 @@ struct Apart {
 };
 
 /// As it is detected again to rounding, however the pair has moved.
-void check_rides(const Body& first, const Body& second, Rides expected) {
+void check_rides(const Body& first, const Body& second, NormalSource expected) {
   const Apart pair(first, second);
-  const Rides rides = what_it_rides_on(pair.a, pair.b, pair.contact.normal, 1, 1);
-  REQUIRE(rides == expected);
+  const NormalSource source = normal_source_of(pair.a, pair.b, pair.contact.normal, 1, 1);
+  REQUIRE(source == expected);
   Random random(3);
   for (int i = 0; i < 100; ++i) {
-    const Ridden both = ride(pair.a, pair.b, pair.contact, rides, random);
+    const Ridden both = ride(pair.a, pair.b, pair.contact, source, random);
     CHECK((both.n - both.found_n).norm() < exactly);
     CHECK(std::abs(both.C - both.found_C) < exactly);
     CHECK((both.point - both.found_point).norm() < exactly);
@@ -115,17 +116,17 @@ TEST_CASE("rides: a corner or a round body on a face, and two round bodies, are 
     for (const Contact& contact : found) lowest = std::min(lowest, -contact.depth);
     return body.at({0, 2 - lowest + gap, 0});
   };
-  check_rides(plane, ball, Rides::on_a);
-  check_rides(plane, standing_on(rod, Real(0.05)), Rides::on_a);
-  check_rides(plane, standing_on(stone, Real(0.05)), Rides::on_a);
-  check_rides(slab, ball, Rides::on_a);
-  check_rides(slab, standing_on(stone, Real(0.05)), Rides::on_a);
-  check_rides(standing_on(stone, Real(0.05)), slab, Rides::on_b);
-  check_rides(ball, sphere(Real(0.3), 1).at({Real(0.1), Real(0.6), Real(0.6)}), Rides::between);
+  check_rides(plane, ball, NormalSource::face_a);
+  check_rides(plane, standing_on(rod, Real(0.05)), NormalSource::face_a);
+  check_rides(plane, standing_on(stone, Real(0.05)), NormalSource::face_a);
+  check_rides(slab, ball, NormalSource::face_a);
+  check_rides(slab, standing_on(stone, Real(0.05)), NormalSource::face_a);
+  check_rides(standing_on(stone, Real(0.05)), slab, NormalSource::face_b);
+  check_rides(ball, sphere(Real(0.3), 1).at({Real(0.1), Real(0.6), Real(0.6)}), NormalSource::cores);
   for (const auto& [first, second, rides] :
-       {std::tuple(plane, ball, Rides::on_a),
-        {slab, standing_on(stone, Real(0.05)), Rides::on_a},
-        {ball, sphere(Real(0.3), 1).at({Real(0.1), Real(0.6), Real(0.6)}), Rides::between}})
+       {std::tuple(plane, ball, NormalSource::face_a),
+        {slab, standing_on(stone, Real(0.05)), NormalSource::face_a},
+        {ball, sphere(Real(0.3), 1).at({Real(0.1), Real(0.6), Real(0.6)}), NormalSource::cores}})
     check_rides(Body(first).with_skin(Real(0.02)), Body(second).with_skin(Real(0.03)), rides);
 }
 
@@ -139,15 +140,15 @@ TEST_CASE("rides: a cube that rolls on its edge, detected once in 32 substeps, g
       for (int i = 0; i < 6 * detections; ++i) world.step(solver, h / static_cast<Real>(detections));
       return world.bodies.back().position;
     };
-    Wide<Real> exact, once;
-    exact.stays_within = once.stays_within = 0;
+    WideSolver<Real> exact, once;
+    exact.rebuild_fraction = once.rebuild_fraction = 0;
     DetectedOnce carried;
     const Vec3 truth = after(exact, 32);
     const Real riding = (after(once, 1) - truth).norm(), not_riding = (after(carried, 1) - truth).norm();
     INFO("spin " << spin << ": " << 1000 * riding << " mm, carried " << 1000 * not_riding << " mm");
     CHECK(riding < (in_double ? Real(5e-6) : Real(5e-5)));
     CHECK(not_riding > Real(0.5e-3));
-    Wide<Real> as_it_comes;
+    WideSolver<Real> as_it_comes;
     const Real near = (after(as_it_comes, 1) - truth).norm();
     INFO("as it comes " << 1000 * near << " mm");
     CHECK(near < Real(0.01e-3) + (in_double ? 0 : Real(5e-5)));
@@ -158,7 +159,7 @@ TEST_CASE("rides: fifteen balls that are broken lie where they should, to 4 mm, 
   const Motion& motion = motion_named("break");
   World world;
   motion.fill(world);
-  Wide<Real> solver;
+  WideSolver<Real> solver;
   solver.threshold = 0;
   const std::vector<Places> truth = motion.truth(motion.frames());
   Real farthest = 0;
@@ -181,7 +182,7 @@ TEST_CASE(
                 .moving({Real(-5e-4), 0, 0})
                 .spinning({0, Real(0.01), Real(-0.03)}));
   const Vec3 before = angular_momentum(world);
-  Wide<Real> solver;
+  WideSolver<Real> solver;
   Real touched = 0;
   for (int i = 0; i < 600; ++i) {
     world.step(solver, h);
@@ -194,7 +195,7 @@ TEST_CASE(
 }
 
 TEST_CASE("wide: substeps are of 1/60 s, so that contacts are as stiff in a step of any length") {
-  const Wide<Real> solver;
+  const WideSolver<Real> solver;
   CHECK(solver.plan(Real(1) / 60).substeps == 32);
   CHECK(solver.plan(Real(1) / 240).substeps == 8);
   CHECK(solver.plan(Real(1) / 30).substeps == 64);
@@ -205,7 +206,7 @@ TEST_CASE("wide: substeps are of 1/60 s, so that contacts are as stiff in a step
   const auto depth_after = [](Real dt) {
     World world;
     stack(world, 3);
-    Wide<Real> steps;
+    WideSolver<Real> steps;
     while (world.time < 2) world.step(steps, dt);
     Real deepest = 0;
     for (const Contact& contact : world.contacts) deepest = std::max(deepest, contact.depth);
@@ -221,7 +222,7 @@ TEST_CASE("wide: a box that a press lets go of does not jump") {
   world.add(ground());
   world.add(box({Real(0.5), Real(0.5), Real(0.5)}, 100).at({0, Real(0.5), 0}));
   world.add(box({1, Real(0.1), 1}, 1).fixed().at({0, Real(1.1), 0}).moving({0, -Real(0.1), 0}));
-  Wide<Real> solver;
+  WideSolver<Real> solver;
   for (int i = 0; i < 12; ++i) world.step(solver, h);
   CHECK(world.bodies[1].position.y() < Real(0.491));  // 20 mm too little room, shared
   world.bodies[2].velocity = {0, 1, 0};

@@ -1,7 +1,7 @@
 /// How far bodies sink on contacts that are as stiff as the substeps allow: as 1 / w^2, beyond 32 substeps as well.
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
-#include "pushback/engine/substeps/wide.h"
+#include "pushback/engine/substeps/wide_solver.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
 
@@ -21,7 +21,7 @@ Sunk sunk(const std::function<void(World&)>& fill, int substeps) {
   fill(world);
   std::vector<Vec3> start;
   for (const Body& body : world.bodies) start.push_back(body.position);
-  Wide<Real> solver;
+  WideSolver<Real> solver;
   solver.substeps = substeps;
   solver.spring.hertz = Real(1e6);
   for (int step = 0; step < 300; ++step) world.step(solver, h);

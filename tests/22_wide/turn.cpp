@@ -1,6 +1,6 @@
 /// Bodies that turn side by side, beside one after the other.
 #include "pushback/common/bodies/random.h"
-#include "pushback/engine/substeps/wide.h"
+#include "pushback/engine/substeps/wide_solver.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
 
@@ -25,24 +25,25 @@ std::vector<Body> turning(int count, Real angle) {
   return bodies;
 }
 
-Turning<Real> eight_of(const std::vector<Body>& bodies, std::size_t first) {
-  Turning<Real> eight{};
-  for (std::size_t i = 0; i < lanes_of_bundle; ++i) {
+EightRotations<Real> eight_of(const std::vector<Body>& bodies, std::size_t first) {
+  EightRotations<Real> eight{};
+  for (std::size_t i = 0; i < lanes_per_bundle; ++i) {
     const Body& body = bodies[first + i];
     const Quat& q = body.orientation;
-    eight.x.of[i] = q.x(), eight.y.of[i] = q.y(), eight.z.of[i] = q.z(), eight.s.of[i] = q.w();
-    Eight<Real>* const w[] = {&eight.w.x, &eight.w.y, &eight.w.z};
-    Eight<Real>* const inverse[] = {&eight.inverse_inertia.x, &eight.inverse_inertia.y, &eight.inverse_inertia.z};
+    eight.x.values[i] = q.x(), eight.y.values[i] = q.y(), eight.z.values[i] = q.z(), eight.s.values[i] = q.w();
+    EightNumbers<Real>* const w[] = {&eight.w.x, &eight.w.y, &eight.w.z};
+    EightNumbers<Real>* const inverse[] = {&eight.inverse_inertia.x, &eight.inverse_inertia.y,
+                                           &eight.inverse_inertia.z};
     for (int k = 0; k < 3; ++k)
-      w[k]->of[i] = body.angular_velocity[k], inverse[k]->of[i] = body.principal_inverse_inertia[k];
+      w[k]->values[i] = body.angular_velocity[k], inverse[k]->values[i] = body.principal_inverse_inertia[k];
   }
   return eight;
 }
-Quat orientation_in(const Turning<Real>& eight, std::size_t i) {
-  return {eight.s.of[i], eight.x.of[i], eight.y.of[i], eight.z.of[i]};
+Quat orientation_in(const EightRotations<Real>& eight, std::size_t i) {
+  return {eight.s.values[i], eight.x.values[i], eight.y.values[i], eight.z.values[i]};
 }
-Vec3 spin_in(const Turning<Real>& eight, std::size_t i) {
-  return {eight.w.x.of[i], eight.w.y.of[i], eight.w.z.of[i]};
+Vec3 spin_in(const EightRotations<Real>& eight, std::size_t i) {
+  return {eight.w.x.values[i], eight.w.y.values[i], eight.w.z.values[i]};
 }
 /// I w, world axes.
 Vec3 spin_momentum(const Quat& q, const Vec3& w, const Body& body) {
@@ -54,10 +55,10 @@ Vec3 spin_momentum(const Quat& q, const Vec3& w, const Body& body) {
 TEST_CASE("wide: what turns side by side turns as it does alone, and keeps momentum and energy to rounding") {
   for (const Real angle : {Real(1e-6), Real(0.01), Real(0.3), Real(1)}) {
     const std::vector<Body> bodies = turning(80, angle);
-    for (std::size_t first = 0; first < bodies.size(); first += lanes_of_bundle) {
-      Turning<Real> eight = eight_of(bodies, first);
+    for (std::size_t first = 0; first < bodies.size(); first += lanes_per_bundle) {
+      EightRotations<Real> eight = eight_of(bodies, first);
       passes_of_this_processor<Real>().turn(eight, h);
-      for (std::size_t i = 0; i < lanes_of_bundle; ++i) {
+      for (std::size_t i = 0; i < lanes_per_bundle; ++i) {
         INFO("body " << first + i << ", by " << angle);
         const Body& body = bodies[first + i];
         Body alone = body;
@@ -70,7 +71,7 @@ TEST_CASE("wide: what turns side by side turns as it does alone, and keeps momen
           continue;
         }
         const Real uneven = body.principal_inverse_inertia.maxCoeff() / body.principal_inverse_inertia.minCoeff();
-        CHECK(eight.solved.of[i] == 1);
+        CHECK(eight.solved.values[i] == 1);
         CHECK((q.coeffs() - alone.orientation.coeffs()).norm() < 20 * uneven * eps);
         CHECK((w - alone.angular_velocity).norm() <= 20 * uneven * eps * w.norm());
         CHECK(std::abs(q.norm() - 1) < 4 * eps);
@@ -88,18 +89,18 @@ TEST_CASE(
     "wide: bodies turn in the same bits in one, four and eight lanes, on any processor, beside whatever neighbours") {
   for (const Real angle : {Real(1e-6), Real(0.01), Real(1), Real(30)}) {
     const std::vector<Body> bodies = turning(24, angle);
-    for (std::size_t first = 0; first < bodies.size(); first += lanes_of_bundle) {
-      const Turning<Real> begin = eight_of(bodies, first);
-      Turning<Real> one = begin;
+    for (std::size_t first = 0; first < bodies.size(); first += lanes_per_bundle) {
+      const EightRotations<Real> begin = eight_of(bodies, first);
+      EightRotations<Real> one = begin;
       plain_passes<Real>(1).turn(one, h);
       for (const auto& passes : {plain_passes<Real>(4), plain_passes<Real>(8), passes_of_this_processor<Real>(1),
                                  passes_of_this_processor<Real>(4), passes_of_this_processor<Real>(8)}) {
-        Turning<Real> several = begin;
+        EightRotations<Real> several = begin;
         passes.turn(several, h);
-        for (std::size_t i = 0; i < lanes_of_bundle; ++i) {
+        for (std::size_t i = 0; i < lanes_per_bundle; ++i) {
           INFO("body " << first + i << ", by " << angle << ", " << passes.lanes << " lanes");
-          CHECK(several.solved.of[i] == one.solved.of[i]);
-          if (one.solved.of[i] == 0) continue;
+          CHECK(several.solved.values[i] == one.solved.values[i]);
+          if (one.solved.values[i] == 0) continue;
           CHECK(orientation_in(several, i).coeffs() == orientation_in(one, i).coeffs());
           CHECK(spin_in(several, i) == spin_in(one, i));
         }
@@ -112,13 +113,13 @@ TEST_CASE("wide: what turns farther than Newton's method follows turns in the bi
   World world;
   for (Body& body : turning(64, 30)) world.add(body.at({0, static_cast<Real>(5 * world.bodies.size()), 0}));
   const std::vector<Body> before = world.bodies;
-  Wide<float> solver;
+  WideSolver<float> solver;
   solver.integrate_positions(world, h);
   int not_followed = 0;
   for (std::size_t i = 0; i < before.size(); ++i) {
-    Turning<Real> eight = eight_of(before, i / lanes_of_bundle * lanes_of_bundle);
-    solver.turning.turn(eight, h);
-    if (eight.solved.of[i % lanes_of_bundle] == 1) continue;
+    EightRotations<Real> eight = eight_of(before, i / lanes_per_bundle * lanes_per_bundle);
+    solver.body_passes.turn(eight, h);
+    if (eight.solved.values[i % lanes_per_bundle] == 1) continue;
     Body alone = before[i];
     spin_freely(alone, h);
     CHECK(alone.angular_velocity == world.bodies[i].angular_velocity);

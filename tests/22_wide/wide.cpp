@@ -14,7 +14,7 @@
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/any_solver.h"
 #include "pushback/common/world/measure.h"
-#include "pushback/engine/substeps/wide.h"
+#include "pushback/engine/substeps/wide_solver.h"
 #include "pushback/tools/measure/hard_cases/sliding.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
@@ -43,7 +43,7 @@ template <class Scalar>
 std::uint64_t hash_after(const Passes<Scalar>& passes, const std::function<void(World&)>& fill, int steps) {
   World world;
   fill(world);
-  Wide<Scalar> solver;
+  WideSolver<Scalar> solver;
   solver.passes = passes;
   solver.substeps = 8;
   for (int i = 0; i < steps; ++i) world.step(solver, h);
@@ -76,20 +76,20 @@ TEST_CASE("wide: no two pairs of a set share a body that moves, every pair is in
     World world;
     for (std::size_t k = 0; k < bodies; ++k) world.add(random.below(6) > 0 ? sphere(1, 1) : sphere(1, 1).fixed());
     const auto movable = [&](std::size_t body) { return world.bodies[body].movable(); };
-    std::vector<PairOfBodies> pairs;
+    std::vector<TouchingPair> pairs;
     for (std::size_t a = 0; a < bodies; ++a)
       for (std::size_t b = a + 1; b < bodies; ++b)
         if ((movable(a) || movable(b)) && random.below(3) == 0)
           pairs.push_back({a, b, pairs.size(), 1 + random.below(4)});
     std::vector<int> touches(bodies, 0);
-    for (const PairOfBodies& pair : pairs)
+    for (const TouchingPair& pair : pairs)
       for (const std::size_t body : {pair.a, pair.b}) touches[body] += movable(body) ? 1 : 0;
-    const auto sets = coloured(pairs, world);
+    const auto sets = colour_pairs(pairs, world);
     std::set<std::size_t> seen;
     for (const auto& set : sets) {
       std::set<std::size_t> taken;
       std::size_t before = 4;
-      for (const PairOfBodies& pair : set) {
+      for (const TouchingPair& pair : set) {
         CHECK(seen.insert(pair.first).second);
         for (const std::size_t body : {pair.a, pair.b})
           if (movable(body)) CHECK(taken.insert(body).second);
@@ -107,10 +107,10 @@ TEST_CASE("wide: a body under more than 64 others: those beyond are solved one a
   World movable, fixed;
   for (World* world : {&movable, &fixed})
     for (int i = 0; i < 71; ++i) world->add(i == 0 && world == &fixed ? sphere(1, 1).fixed() : sphere(1, 1));
-  std::vector<PairOfBodies> pairs;
+  std::vector<TouchingPair> pairs;
   for (std::size_t i = 0; i < 70; ++i) pairs.push_back({0, i + 1, i, 1});
-  CHECK(coloured(pairs, movable).size() == 70);
-  CHECK(coloured(pairs, fixed).size() == 1);
+  CHECK(colour_pairs(pairs, movable).size() == 70);
+  CHECK(colour_pairs(pairs, fixed).size() == 1);
 }
 
 TEST_CASE("wide: what rests ends as it does one contact after the other") {
@@ -118,8 +118,8 @@ TEST_CASE("wide: what rests ends as it does one contact after the other") {
     World once, doubles, floats;
     for (World* world : {&once, &doubles, &floats}) fill(*world);
     DetectedOnce of_once;
-    Wide<double> of_doubles;
-    Wide<float> of_floats;
+    WideSolver<double> of_doubles;
+    WideSolver<float> of_floats;
     for (int i = 0; i < static_cast<int>(std::lround(seconds / h)); ++i) {
       once.step(of_once, h);
       doubles.step(of_doubles, h);
@@ -147,7 +147,7 @@ TEST_CASE("wide: in float, a stack stands 100 km from the origin as it does ther
   const Vec3 away(Real(1e5), 0, Real(-1e5));
   for (Body& body : far.bodies)
     if (body.movable()) body.position += away;
-  Wide<float> of_near, of_far;
+  WideSolver<float> of_near, of_far;
   for (int i = 0; i < 300; ++i) {
     near.step(of_near, h);
     far.step(of_far, h);
@@ -165,7 +165,7 @@ TEST_CASE("wide: what bounces goes, to rounding, as if it were detected in each 
     world->add(Body(spinning).at({3, 2, 0}));
     world->add(Body(spinning).at({3, 2, 4}).with_skin(Real(0.05)));
   }
-  Wide<double> of_each, of_once;
+  WideSolver<double> of_each, of_once;
   for (int i = 0; i < 60; ++i) {
     for (int k = 0; k < 32; ++k) in_each.step(of_each, h / 32);
     once.step(of_once, h);
@@ -177,7 +177,7 @@ TEST_CASE("wide: what bounces goes, to rounding, as if it were detected in each 
 TEST_CASE("wide: what rests sleeps until it is hit, and moves in the same bits with what is called for") {
   World world, needed;
   for (World* each : {&world, &needed}) stack(*each, 3);
-  Wide<Real> solver;
+  WideSolver<Real> solver;
   OnlyWhatIsNeeded chosen(needed, AnySolver(solver));
   for (int i = 0; i < 60; ++i) {
     world.step(solver, h);
@@ -198,7 +198,7 @@ TEST_CASE(
   const auto stretch = [](int substeps) {
     World world;
     motion_named("chain").begin(world);
-    Wide<double> solver;
+    WideSolver<double> solver;
     solver.substeps = substeps;
     Real most = 0;
     for (int step = 0; step < 120; ++step) {
@@ -223,13 +223,13 @@ TEST_CASE("wide: joints are solved where they are, also after somebody has moved
   world.add(box({Real(0.1), Real(0.3), Real(0.2)}, 1).at({0, 3, 0}).spinning({1, 2, 3}));
   world.joints.push_back(ball_and_socket(world, the_world, 0, {0, Real(4.5), 0}));
   world.joints.push_back(ball_and_socket(world, 0, 1, {0, Real(3.5), 0}));
-  Wide<Real> solver;
+  WideSolver<Real> solver;
   for (int step = 0; step < 20; ++step) {
     Body& lower = world.bodies[1];
     lower.turned(Real(0.5), Vec3::UnitX());
     lower.position += Vec3(Real(0.1), 0, 0);
     World copy = world;
-    Wide<Real> fresh;
+    WideSolver<Real> fresh;
     world.step(solver, h);
     copy.step(fresh, h);
     REQUIRE(hash_of(world) == hash_of(copy));
@@ -237,7 +237,7 @@ TEST_CASE("wide: joints are solved where they are, also after somebody has moved
 }
 
 TEST_CASE("wide: with chapter 14's joints, they move in the bits of chapter 21 where nothing touches") {
-  CHECK(Wide<Real>{}.holds_joints());  // as the refusal of joints says
+  CHECK(WideSolver<Real>{}.holds_joints());  // as the refusal of joints says
   World one_by_one, wide;
   for (World* world : {&one_by_one, &wide}) {
     world->add(box({Real(0.1), Real(0.3), Real(0.1)}, 1).at({0, 4, 0}));
@@ -246,7 +246,7 @@ TEST_CASE("wide: with chapter 14's joints, they move in the bits of chapter 21 w
     world->joints.push_back(hinge(*world, 0, 1, {0, Real(3.5), 0}, Vec3::UnitZ()));
   }
   DetectedOnce of_one_by_one;
-  Wide<Real, SteadyJoints> of_wide;
+  WideSolver<Real, SteadyJoints> of_wide;
   for (int i = 0; i < 60; ++i) {
     one_by_one.step(of_one_by_one, h);
     wide.step(of_wide, h);

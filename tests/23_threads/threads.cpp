@@ -8,8 +8,8 @@
 #include "pushback/common/world/any_solver.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
-#include "pushback/engine/substeps/crew.h"
-#include "pushback/engine/substeps/wide.h"
+#include "pushback/engine/substeps/thread_pool.h"
+#include "pushback/engine/substeps/wide_solver.h"
 #include "pushback/tools/catalogue/catalogue.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
@@ -34,10 +34,10 @@ class InAnyOrder : public Workers {
 };
 
 template <class Scalar>
-Wide<Scalar> wide_with(std::shared_ptr<Workers> crew, int substeps = 4) {
-  Wide<Scalar> solver;
+WideSolver<Scalar> wide_with(std::shared_ptr<Workers> pool, int substeps = 4) {
+  WideSolver<Scalar> solver;
   solver.substeps = substeps;
-  solver.crew = std::move(crew);
+  solver.workers = std::move(pool);
   return solver;
 }
 
@@ -63,21 +63,21 @@ void heap(World& world) {
 }  // namespace
 
 TEST_CASE("threads: every scene moves in the same bits with 1, 2, 3, 4 and 7 threads, and with parts in any order") {
-  std::vector<std::shared_ptr<Workers>> crews;
-  for (const int threads : {1, 2, 3, 4, 7}) crews.push_back(std::make_shared<Crew>(threads, true));
-  for (const std::size_t parts : {2, 5}) crews.push_back(std::make_shared<InAnyOrder>(parts));
+  std::vector<std::shared_ptr<Workers>> pools;
+  for (const int threads : {1, 2, 3, 4, 7}) pools.push_back(std::make_shared<ThreadPool>(threads, true));
+  for (const std::size_t parts : {2, 5}) pools.push_back(std::make_shared<InAnyOrder>(parts));
   for (const NamedScene& scene : all_scenes()) {
     World world;
     scene.fill(world);
-    Wide<float> alone = wide_with<float>(nullptr);
+    WideSolver<float> alone = wide_with<float>(nullptr);
     for (int stretch = 0; stretch < 4; ++stretch) {
       const World begin = world;
       for (int i = 0; i < 2; ++i) world.step(alone, h);
       const auto expected = bits_of(world);
-      for (std::size_t k = 0; k < crews.size(); ++k) {
-        INFO(scene.name << ", crew " << k << ", from " << begin.time << " s on");
+      for (std::size_t k = 0; k < pools.size(); ++k) {
+        INFO(scene.name << ", pool " << k << ", from " << begin.time << " s on");
         World copy = begin;
-        Wide<float> shared = wide_with<float>(crews[k]);
+        WideSolver<float> shared = wide_with<float>(pools[k]);
         for (int i = 0; i < 2; ++i) copy.step(shared, h);
         REQUIRE(bits_of(copy) == expected);
       }
@@ -94,15 +94,15 @@ TEST_CASE("threads: a heap that falls keeps its bits for a second, in float and 
     heap(two);
     Solver shared;
     shared.substeps = alone.substeps = 4;
-    shared.crew = std::make_shared<Crew>(2);
+    shared.workers = std::make_shared<ThreadPool>(2);
     for (int i = 0; i < 60; ++i) {
       one.step(alone, h);
       two.step(shared, h);
       REQUIRE(bits_of(two) == bits_of(one));
     }
   };
-  compare(Wide<float>{});
-  compare(Wide<double>{});
+  compare(WideSolver<float>{});
+  compare(WideSolver<double>{});
 }
 
 TEST_CASE("threads: detection finds the same contacts in the same order, whoever looks") {
@@ -115,7 +115,7 @@ TEST_CASE("threads: detection finds the same contacts in the same order, whoever
   REQUIRE(world.contacts.size() > 300);
   const auto expected = bits_of(world);
   InAnyOrder five(5);
-  Crew three(3, true);
+  ThreadPool three(3, true);
   for (Workers* workers : {static_cast<Workers*>(&five), static_cast<Workers*>(&three)}) {
     CHECK(near_pairs(world.bodies, margin, *workers) == pairs);
     world.find_contacts(margin, *workers);
@@ -125,12 +125,12 @@ TEST_CASE("threads: detection finds the same contacts in the same order, whoever
 
 TEST_CASE("threads: each item is done once, whatever their number, and little is done alone") {
   for (const int threads : {1, 2, 3, 7}) {
-    Crew crew(threads);
-    CHECK(crew.threads() == threads);
+    ThreadPool pool(threads);
+    CHECK(pool.threads() == threads);
     for (const std::size_t items : {0, 1, 9, 10, 19, 20, 21, 64, 1000}) {
       std::vector<int> done(items, 0);
-      std::vector<std::size_t> lengths(crew.parts(items, 10), 0);
-      crew.each(items, 10, [&](Part part) {
+      std::vector<std::size_t> lengths(pool.parts(items, 10), 0);
+      pool.each(items, 10, [&](Part part) {
         lengths[part.index] += part.end - part.begin;
         for (std::size_t i = part.begin; i < part.end; ++i) ++done[i];
       });
@@ -142,27 +142,27 @@ TEST_CASE("threads: each item is done once, whatever their number, and little is
   }
 }
 
-TEST_CASE("threads: who calls a crew that is at work elsewhere does its parts alone, at once") {
-  Crew crew(2);
+TEST_CASE("threads: a call of a pool that is at work elsewhere does its parts alone, at once") {
+  ThreadPool pool(2);
   std::atomic<bool> begun = false, go_on = false;
   std::thread elsewhere([&] {
-    crew.each(2, 1, [&](Part) {
+    pool.each(2, 1, [&](Part) {
       for (begun = true; !go_on;) std::this_thread::yield();
     });
   });
   while (!begun) std::this_thread::yield();
   std::set<std::thread::id> who;
-  crew.each(2, 1, [&](Part) { who.insert(std::this_thread::get_id()); });
+  pool.each(2, 1, [&](Part) { who.insert(std::this_thread::get_id()); });
   go_on = true;
   elsewhere.join();
   CHECK(who == std::set{std::this_thread::get_id()});
 }
 
-TEST_CASE("threads: what fails in a part fails where it was called, the first part first, and the crew goes on") {
-  Crew crew(4);
+TEST_CASE("threads: what fails in a part fails where it was called, the first part first, and the pool goes on") {
+  ThreadPool pool(4);
   for (int i = 0; i < 20; ++i) {
     try {
-      crew.each(4, 1, [&](Part part) {
+      pool.each(4, 1, [&](Part part) {
         if (part.index > 0) throw InvalidInput(fmt::format("part {}", part.index));
       });
       FAIL("nothing was thrown");
@@ -171,15 +171,15 @@ TEST_CASE("threads: what fails in a part fails where it was called, the first pa
     }
   }
   int sum = 0;
-  crew.each(1, 1, [&](Part) { ++sum; });
+  pool.each(1, 1, [&](Part) { ++sum; });
   CHECK(sum == 1);
 }
 
 TEST_CASE("threads: a part rounds as who calls does") {
-  Crew crew(3);
+  ThreadPool pool(3);
   const auto thirds = [&] {
     std::vector<double> found(3);
-    crew.each(3, 1, [&](Part part) {
+    pool.each(3, 1, [&](Part part) {
       volatile double one = 1, three = 3;
       found[part.index] = one / three;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));  // so that others come to their parts
@@ -195,17 +195,18 @@ TEST_CASE("threads: a part rounds as who calls does") {
   CHECK(thirds() == nearest);
 }
 
-TEST_CASE("threads: a crew of none is refused, and so is one of too many") {
-  for (const int threads : {-1, 0, Crew::most + 1})
-    CHECK_THROWS_WITH(Crew(threads), fmt::format("the number of threads is {}: a whole number from 1 to {} is needed",
-                                                 threads, Crew::most));
+TEST_CASE("threads: a pool of no threads is refused, and so is one of too many") {
+  for (const int threads : {-1, 0, ThreadPool::most_threads + 1})
+    CHECK_THROWS_WITH(ThreadPool(threads),
+                      fmt::format("the number of threads is {}: a whole number from 1 to {} is needed", threads,
+                                  ThreadPool::most_threads));
 }
 
-TEST_CASE("threads: a crew is all that a program adds") {
+TEST_CASE("threads: a pool is all that a program adds") {
   World world;
   heap(world);
-  Wide<float> solver;
-  solver.crew = std::make_shared<Crew>(2);
+  WideSolver<float> solver;
+  solver.workers = std::make_shared<ThreadPool>(2);
   world.step(solver, 1.0 / 60);
   CHECK(world.time == Approx(1.0 / 60));
 }

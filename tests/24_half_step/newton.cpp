@@ -2,7 +2,7 @@
 #include <Eigen/LU>
 
 #include "pushback/common/bodies/random.h"
-#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/direct/row_matrix.h"
 #include "pushback/engine/half_step/newton_from_guess.h"
 #include "tests/24_half_step/order.h"
 #include "tests/support/catch.h"

@@ -278,7 +278,7 @@ TEST_CASE("by island: what many alone has to move is moved as by many alone, to 
     fill(by_many);
     IslandSolver solver = without_savings();
     solver.limits.most_detections = 1;  // as `many` alone
-    Wide<Real> many;
+    WideSolver<Real> many;
     for (int i = 0; i < 60; ++i) {
       by_island.step(solver, h);
       by_many.step(many, h);

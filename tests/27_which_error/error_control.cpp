@@ -8,7 +8,7 @@
 #include "pushback/chapters/26_to_each_its_own/scenes.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
-#include "pushback/engine/substeps/crew.h"
+#include "pushback/engine/substeps/thread_pool.h"
 #include "tests/27_which_error/played.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
@@ -137,16 +137,16 @@ TEST_CASE("within an error: what one island is known to need is nothing to anoth
 }
 
 TEST_CASE("within an error: the same bits with any number of threads") {
-  const auto after = [](std::shared_ptr<Workers> crew) {
+  const auto after = [](std::shared_ptr<Workers> pool) {
     World world;
     to_each_its_own_scenes::Yard{}(world);
     IslandSolver solver = within(Real(1e-4));
-    solver.substep_solver.crew = std::move(crew);
+    solver.substep_solver.workers = std::move(pool);
     for (int i = 0; i < 90; ++i) world.step(solver, h);
     return hash_of(world);
   };
   const std::uint64_t alone = after(nullptr);
-  for (const int threads : {2, 7}) CHECK(after(std::make_shared<Crew>(threads, true)) == alone);
+  for (const int threads : {2, 7}) CHECK(after(std::make_shared<ThreadPool>(threads, true)) == alone);
 }
 
 TEST_CASE("within an error: a chain that whips keeps its energy, has many substeps while it does, and few after it") {
@@ -209,7 +209,7 @@ TEST_CASE("within an error: a stack on springs has sunk by the sum of its depths
   for (const int boxes : {1, 3, 10}) {
     World world;
     stack(world, boxes);
-    Wide<Real> springs;
+    WideSolver<Real> springs;
     springs.spring.hertz = 30;
     for (int i = 0; i < 600; ++i) world.step(springs, h);
     const Real top = static_cast<Real>(boxes) - Real(0.5) - world.bodies.back().position.y();
@@ -219,7 +219,7 @@ TEST_CASE("within an error: a stack on springs has sunk by the sum of its depths
   }
   World world = pendulum(1);
   world.add(sphere(Real(0.5), 1).at({9, 9, 0}));
-  Wide<Real> springs;
+  WideSolver<Real> springs;
   world.step(springs, h);
   CHECK(sunken(world, all) == 0);
 }
@@ -247,7 +247,7 @@ TEST_CASE("within an error: what two carry unequally has sunk by the mean of bot
   for (const Real x : {Real(-1), Real(1)}) world.add(box({Real(0.1), Real(0.5), Real(0.5)}, 10).at({x, Real(0.5), 0}));
   world.add(box({Real(1.2), Real(0.1), Real(0.5)}, Real(0.1)).at({0, Real(1.1), 0}));
   world.add(box({Real(0.1), Real(0.1), Real(0.1)}, 100).at({Real(-0.5), Real(1.3), 0}));
-  Wide<Real> springs;
+  WideSolver<Real> springs;
   springs.spring.hertz = 30;
   for (int i = 0; i < 600; ++i) world.step(springs, h);
   const auto sunk = [&](int body, Real from) { return from - world.body(body).position.y(); };

@@ -246,7 +246,7 @@ TEST_CASE("contract: the residual is what the sweeps leave") {
 
 TEST_CASE("contract: rows that are solved eight at a time have the residual of those solved one by one") {
   DetectedOnce one_by_one;
-  Wide<double> wide;
+  WideSolver<double> wide;
   World world, other;
   for (World* each : {&world, &other}) {
     pyramid(*each, 5);

@@ -1,6 +1,6 @@
 /// Conjugate sweeps, which differ from chapter 08's solver by one effect.
 #include "pushback/common/world/measure.h"
-#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/direct/row_matrix.h"
 #include "tests/methods/played.h"
 #include "tests/support/catch.h"
 #include "tests/support/on_ground.h"

@@ -14,7 +14,7 @@ TEST_CASE("each case under each stage moves in the bits of the table's first sta
     for (std::size_t s = 0; s < stages().size(); ++s) {
       INFO(hard_cases()[c].name << ", " << stages()[s].name);
       live.choose(c, {s});
-      REQUIRE(live.lanes() == 1);
+      REQUIRE(live.tracks() == 1);
       REQUIRE(live.variant(0) == s);
       constexpr int steps = 8;
       live.go_to(steps);

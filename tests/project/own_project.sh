@@ -65,7 +65,7 @@ link=$(tail -n 1 <<<"$ways")
   wrong "README.md should show three lines of CMake and one that links, but these were found: $ways"
 
 nothing_drawn=(-DCMAKE_DISABLE_FIND_PACKAGE_{CLI11,PkgConfig,OpenGL,Threads}"=ON")
-libraries="libaccuracy_and_time.a libchoosing.a libcrew.a libdirect_contacts.a libengine.a libonly_what_is_needed.a libpushback.a libpushback_program.a libpushback_render.a libpushback_simulation.a libpushback_simulation_float.a libwhole_problem.a"
+libraries="libaccuracy_and_time.a libchoosing.a libthread_pool.a libdirect_contacts.a libengine.a libonly_what_is_needed.a libpushback.a libpushback_program.a libpushback_render.a libpushback_simulation.a libpushback_simulation_float.a libwhole_problem.a"
 way=add_subdirectory
 sources "$(grep -o '^add_subdirectory([^)]*)' <<<"$ways" | sed "s|pushback|$scratch/pushback pushback|")" "$link"
 way=FetchContent
@@ -122,13 +122,13 @@ mkdir "component chapters"
 cat >"component chapters/main.cpp" <<END  # what the libraries of chapters 07, 16, 17, 20 and 23 have to say of a stack
 #include "pushback/chapters/07_warm_start/flat.h"
 #include "pushback/chapters/20_only_what_is_needed/dispatch.h"
-#include "pushback/engine/direct/best.h"
-#include "pushback/engine/direct/matrix.h"
-#include "pushback/engine/substeps/crew.h"
+#include "pushback/engine/direct/row_matrix.h"
+#include "pushback/engine/direct/solve_best.h"
+#include "pushback/engine/substeps/thread_pool.h"
 #include "pushback/common/world/situations.h"
 using namespace pushback;
 int main() {
-  Crew crew(2);
+  ThreadPool pool(2);
   World world;
   stack(world, 3);
   flat_07::FlatSolver solver;
@@ -141,6 +141,6 @@ int main() {
 }
 END
 installed chapters "find_package(Pushback REQUIRED COMPONENTS chapters)" \
-  "target_link_libraries(my_program pushback::flat_solver pushback::engine pushback::only_what_is_needed pushback::crew)"
+  "target_link_libraries(my_program pushback::flat_solver pushback::engine pushback::only_what_is_needed pushback::thread_pool)"
 "$way/build/my_program" || wrong "a stack of three is not solved"
 echo "all as expected"

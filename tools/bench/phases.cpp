@@ -6,7 +6,7 @@
 #include "pushback/chapters/21_detected_once/detected_once.h"
 #include "pushback/common/world/situations.h"
 #include "pushback/common/world/step.h"
-#include "pushback/engine/substeps/wide.h"
+#include "pushback/engine/substeps/wide_solver.h"
 #include "pushback/tools/bench/in_turn.h"
 
 using namespace pushback;
@@ -38,7 +38,7 @@ struct Timed : Full {
     within(end, [&] { Full::done(world); });
   }
 };
-struct EverybodyTimed : Everybody {
+struct AllBodiesTimed : AllBodies {
   static void find_contacts(World& world, const Margin& margin) {
     within(detection, [&] { world.find_contacts(margin); });
   }
@@ -48,8 +48,8 @@ template <class Full>
 void phases_of(benchmark::State& state, World world, int substeps) {
   Timed<Full> solver;
   solver.substeps = substeps;
-  EverybodyTimed everybody;
-  const auto next = [&] { step(world, solver, Real(1) / 60, 1, everybody); };
+  AllBodiesTimed all_bodies;
+  const auto next = [&] { step(world, solver, Real(1) / 60, 1, all_bodies); };
   for (int i = 0; i < 120; ++i) next();
   std::array<std::vector<double>, phases> times;
   std::vector<double> others, whole;
@@ -84,8 +84,8 @@ void add(const std::string& solver) {
 }
 [[maybe_unused]] const bool added = [] {
   add<DetectedOnce>("DetectedOnce");
-  add<Wide<double>>("Wide<double>");
-  add<Wide<float>>("Wide<float>");
+  add<WideSolver<double>>("WideSolver<double>");
+  add<WideSolver<float>>("WideSolver<float>");
   return true;
 }();
 

@@ -15,8 +15,8 @@ awk -F, '
     titles["pyramid_in_8_substeps"] = "pyramid of 210 boxes, 8 substeps"
     titles["pile_in_8_substeps"] = "pile of 4,000 boxes, 8 substeps"
     titles["stack_in_32_substeps"] = "stack of 40 boxes, 32 substeps"
-    solvers["DetectedOnce"] = "21"; solvers["Wide<double>"] = "wide, double"; solvers["Wide<float>"] = "wide, float"
-    columns = split("DetectedOnce|Wide<double>|Wide<float>", order, "|")
+    solvers["DetectedOnce"] = "21"; solvers["WideSolver<double>"] = "wide, double"; solvers["WideSolver<float>"] = "wide, float"
+    columns = split("DetectedOnce|WideSolver<double>|WideSolver<float>", order, "|")
     count = split("pyramid_in_8_substeps|stack_in_32_substeps|pile_in_8_substeps", scenes, "|")
   }
   /^"[a-z]/ {  # its counters, sorted by their names, are the last eight fields

@@ -73,7 +73,7 @@ void islands(benchmark::State& state, const NamedScene& named) {
         World at_once;
         named.fill(at_once);
         World divided = at_once;
-        Wide<Real> one;
+        WideSolver<Real> one;
         IslandSolver own;
         for (std::size_t i = 0; i < steps.count(); ++i) {
           steps.round(i, {[&] { at_once.step(one, dt); }, [&] { divided.step(own, dt); }});
@@ -175,7 +175,7 @@ void watching_for_sleepers(benchmark::State& state) {
   thousand(simulated, static_cast<int>(state.range(0)));
   World watched = simulated;
   Sleep sleepless;
-  sleepless.seconds = Real(1e9);
+  sleepless.time_to_sleep = Real(1e9);
   OnlyWhatIsNeeded without(simulated, FullSolver{}), with(watched, FullSolver{}, sleepless);
   InTurn turns;
   for (auto _ : state) {

@@ -2,8 +2,8 @@
 #include <benchmark/benchmark.h>
 
 #include "pushback/common/world/situations.h"
-#include "pushback/engine/substeps/crew.h"
-#include "pushback/engine/substeps/wide.h"
+#include "pushback/engine/substeps/thread_pool.h"
+#include "pushback/engine/substeps/wide_solver.h"
 #include "pushback/tools/bench/in_turn.h"
 
 using namespace pushback;
@@ -13,15 +13,15 @@ namespace {
 constexpr Real dt = Real(1) / 60;
 
 /// How long who calls has waited for others, s, and how often.
-class TimedCrew : public Crew {
+class TimedPool : public ThreadPool {
  public:
-  using Crew::Crew;
+  using ThreadPool::ThreadPool;
   double waited = 0;
   int rounds = 0;
 
  private:
   void wait_for_others() override {
-    waited += seconds_of([&] { Crew::wait_for_others(); });
+    waited += seconds_of([&] { ThreadPool::wait_for_others(); });
     ++rounds;
   }
 };
@@ -48,27 +48,27 @@ class InTurnOnOne : public Workers {
 
 /// Medians over the steps, of threads as many as asked for against none but the one that calls.
 void shared(benchmark::State& state, const std::function<void(World&)>& fill, int threads, int settle) {
-  const auto crew = std::make_shared<TimedCrew>(threads);
+  const auto pool = std::make_shared<TimedPool>(threads);
   const auto in_turn = std::make_shared<InTurnOnOne>(threads);
   struct {
     World world;
-    Wide<float> solver;
+    WideSolver<float> solver;
   } one, many, ideal;
   fill(one.world);
   one.solver.substeps = many.solver.substeps = ideal.solver.substeps = 8;
   for (int i = 0; i < settle; ++i) one.world.step(one.solver, dt);
   many.world = ideal.world = one.world;
-  many.solver.crew = crew;
-  ideal.solver.crew = in_turn;
+  many.solver.workers = pool;
+  ideal.solver.workers = in_turn;
   const auto step_of = [](auto& lane) { return [&] { return seconds_of([&] { lane.world.step(lane.solver, dt); }); }; };
   InTurn turns;
   std::vector<double> waiting, rounds;
   const auto timed = [&] {
-    crew->waited = 0;
-    crew->rounds = 0;
+    pool->waited = 0;
+    pool->rounds = 0;
     const double time = step_of(many)();
-    waiting.push_back(crew->waited / time);
-    rounds.push_back(crew->rounds);
+    waiting.push_back(pool->waited / time);
+    rounds.push_back(pool->rounds);
     return time;
   };
   const auto at_best = [&] {
@@ -106,8 +106,8 @@ void shared(benchmark::State& state, const std::function<void(World&)>& fill, in
 
 /// A round in which nobody has anything to do.
 void empty_round(benchmark::State& state) {
-  Crew crew(2);
-  for (auto _ : state) crew.each(2, 1, [](Part) {});
+  ThreadPool pool(2);
+  for (auto _ : state) pool.each(2, 1, [](Part) {});
 }
 BENCHMARK(empty_round);
 

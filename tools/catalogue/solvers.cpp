@@ -15,7 +15,7 @@
 #include "pushback/common/basics/input.h"
 #include "pushback/engine/direct/direct_joints.h"
 #include "pushback/engine/islands/island_solver.h"
-#include "pushback/engine/substeps/wide.h"
+#include "pushback/engine/substeps/wide_solver.h"
 
 namespace pushback {
 
@@ -74,8 +74,8 @@ const std::vector<NamedSolver>& all_solvers() {
           "18 direct joint solve", "12 soft contacts with all joints solved directly in each sweep, without a guess"),
       named<DetectedOnce>("21 detected once",
                           "14 joints 20 times with a friction cone, contacts detected and rows built once in a step"),
-      named<Wide<Real>>("22 wide",
-                        "21 detected once, contacts solved eight pairs of bodies at a time, joints directly"),
+      named<WideSolver<Real>>("22 wide",
+                              "21 detected once, contacts solved eight pairs of bodies at a time, joints directly"),
       named<IslandSolver>(
           "26 by island",
           "each island by its own step: flight, half steps where contacts are few or joints form a tree, else 22 wide"),

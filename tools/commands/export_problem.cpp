@@ -3,7 +3,7 @@
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/named.h"
 #include "pushback/common/experiment/program.h"
-#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/direct/row_matrix.h"
 #include "pushback/tools/catalogue/catalogue.h"
 #include "pushback/tools/catalogue/solvers.h"
 

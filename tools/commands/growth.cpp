@@ -8,8 +8,8 @@
 #include "pushback/chapters/17_direct_contacts/growth.h"
 #include "pushback/common/experiment/program.h"
 #include "pushback/common/world/situations.h"
-#include "pushback/engine/direct/matrix.h"
 #include "pushback/engine/direct/newton_system.h"
+#include "pushback/engine/direct/row_matrix.h"
 #include "pushback/engine/direct/smoothed_newton.h"
 
 using namespace pushback;
@@ -23,7 +23,7 @@ struct Costs {
 };
 
 /// A row of the table. What did not reach the tolerance is no part of the growth.
-void print_row(const std::string& name, const ContactProblem& problem, const SparseRows& factor, double tolerance,
+void print_row(const std::string& name, const ContactProblem& problem, const SparseMatrix& factor, double tolerance,
                Costs* costs) {
   const auto begin = std::chrono::steady_clock::now();
   const SmoothedSolution found = solve_smoothed(problem, {.tolerance = tolerance, .work = 1e12}, factor);

@@ -53,19 +53,19 @@ void Xpbd::whole_step(World& world, Real dt, int sweeps) {
   check_step(dt, sweeps, world.gravity);
   const Plan its_plan = plan(dt);
   const Real h = dt / static_cast<Real>(substeps);
-  Everybody everybody{its_plan.workers};
+  AllBodies all_bodies{its_plan.workers};
   const ForcesOfSubsteps forces(world, {.detections = substeps});
   ImpulseSums sums;
   for (int i = 0; i < substeps || i == 0; ++i) {
     if (i > 0) forces.apply_by_hand(world);
-    everybody.check(world);
+    all_bodies.check(world);
     check(world, h);
     remember_contacts(world);
     for (const Force& force : world.forces) force.apply(world);
-    integrate_velocities(world, h, everybody);
+    integrate_velocities(world, h, all_bodies);
     solve(world, h, sweeps);
     world.move(h);
-    everybody.find_contacts(world, its_plan.margin);
+    all_bodies.find_contacts(world, its_plan.margin);
     detected(world, h);
     moved(world, h);
     for (Contact& contact : world.contacts) contact.last_impulse = contact.impulse;

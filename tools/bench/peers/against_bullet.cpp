@@ -9,7 +9,7 @@
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
 #include "pushback/engine/presets.h"
-#include "pushback/engine/substeps/wide.h"
+#include "pushback/engine/substeps/wide_solver.h"
 #include "pushback/tools/bench/in_turn.h"
 #include "pushback/tools/measure/peers/peer.h"
 
@@ -48,8 +48,8 @@ Real drift(const World& start, const World& now) {
 void beside_peer(benchmark::State& state, const std::function<void(World&)>& fill, int substeps, int settle) {
   const std::vector<Way> ways{{"chapter 12", detected_once_scenes::DetectedInEach{}, substeps},
                               {"once", in<DetectedOnce>(substeps), 1},
-                              {"wide, double", in<Wide<double>>(substeps), 1},
-                              {"wide, float", in<Wide<float>>(substeps), 1},
+                              {"wide, double", in<WideSolver<double>>(substeps), 1},
+                              {"wide, float", in<WideSolver<float>>(substeps), 1},
                               {"recommended", Recommended{}, 1}};
   Motion motion{.name = "", .title = "", .fill = fill, .seconds = 1, .truth = {}};
   const Setting as_it_comes{.substeps = PEER_SUBSTEPS, .sweeps = 10};
@@ -106,7 +106,7 @@ void columns_of_ten(World& world) {
   const auto stack_of_40 = [](World& world) { stack(world, 40); };
   add("pyramid_of_210", pyramid_of_210, 8, 300, 200);
   add("pyramid_of_210_in_4_substeps", pyramid_of_210, 4, 300, 200);
-  add("pyramid_of_210_as_recommended", pyramid_of_210, Wide<Real>{}.substeps, 120, 60);
+  add("pyramid_of_210_as_recommended", pyramid_of_210, WideSolver<Real>{}.substeps, 120, 60);
   add("stack_of_40", stack_of_40, 32, 120, 200);
   add("stack_of_40_in_8_substeps", stack_of_40, 8, 600, 100);
   add("crooked_stack_of_40", crooked_stack, 8, 600, 100);

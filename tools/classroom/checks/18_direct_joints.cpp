@@ -3,7 +3,7 @@
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/13_joints/joints.h"
 #include "pushback/chapters/18_direct_joints/exercise/asked.h"
-#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/direct/row_matrix.h"
 
 namespace pushback::exercise_18 {
 

@@ -1,7 +1,7 @@
 #include <numeric>
 
 #include "pushback/chapters/22_wide/exercise/asked.h"
-#include "pushback/engine/substeps/colours.h"
+#include "pushback/engine/substeps/pair_colouring.h"
 #include "pushback/tools/classroom/checks/scenes.h"
 
 namespace pushback::exercise_22 {
@@ -63,12 +63,12 @@ Real sum_of(const Colours& colours) {
 Colours right(const Pairs& pairs, const Movable& movable) {
   World world;
   for (const bool moves : movable) world.add(moves ? sphere(1, 1) : sphere(1, 1).fixed());
-  std::vector<PairOfBodies> counted;
+  std::vector<TouchingPair> counted;
   for (const Pair& pair : pairs) counted.push_back({pair.a, pair.b, counted.size(), 1});
   Colours colours(pairs.size());
-  const Sets sets = coloured(counted, world);
+  const PairSets sets = colour_pairs(counted, world);
   for (std::size_t colour = 0; colour < sets.size(); ++colour)
-    for (const PairOfBodies& pair : sets[colour]) colours[pair.first] = static_cast<int>(colour);
+    for (const TouchingPair& pair : sets[colour]) colours[pair.first] = static_cast<int>(colour);
   return colours;
 }
 

@@ -11,8 +11,8 @@
 #include "pushback/chapters/12_soft_contacts/steady_solver.h"
 #include "pushback/chapters/16_whole_problem/problem_file.h"
 #include "pushback/common/basics/input.h"
-#include "pushback/engine/direct/matrix.h"
 #include "pushback/engine/direct/newton_system.h"
+#include "pushback/engine/direct/row_matrix.h"
 #include "pushback/tools/measure/frozen/scenes.h"
 
 namespace pushback::frozen {

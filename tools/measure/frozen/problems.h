@@ -12,8 +12,8 @@ namespace pushback::frozen {
 struct FrozenProblem {
   std::string name;  ///< a few words, no comma
   ContactProblem problem;
-  SparseRows factor = {};  ///< B with W = B B^T, where the bodies are known
-  bool foreign = false;    ///< of a file, not of a scene of ours
+  SparseMatrix factor = {};  ///< B with W = B B^T, where the bodies are known
+  bool foreign = false;      ///< of a file, not of a scene of ours
 };
 
 /// The contacts of scenes as a step of 1/60 s begins, with nothing remembered: some as they are built, some after they

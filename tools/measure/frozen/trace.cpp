@@ -10,7 +10,7 @@
 namespace pushback::frozen {
 
 Trace::Trace(const ContactProblem& problem, const std::string& method, const TraceLimits& limits,
-             const SparseRows& factor)
+             const SparseMatrix& factor)
     : problem_(problem), method_(method), limits_(limits), factor_(factor) {
   again();
 }

@@ -29,7 +29,7 @@ class Trace {
   /// The first round: it finds how far the limits let it go. Keeps a reference to the problem. Throws InvalidInput where
   /// there is no such method. `factor`: B with W = B B^T, between whose bodies `smoothed` solves its systems.
   Trace(const ContactProblem& problem, const std::string& method, const TraceLimits& limits,
-        const SparseRows& factor = {});
+        const SparseMatrix& factor = {});
   /// The same sweeps once more, for the times.
   void again();
 
@@ -49,7 +49,7 @@ class Trace {
   const ContactProblem& problem_;
   std::string method_;
   TraceLimits limits_;
-  SparseRows factor_;
+  SparseMatrix factor_;
   std::vector<FrozenPoint> points_;
   std::vector<Rung> rungs_;  // of the ladder, those that points_ are of
 };

@@ -6,7 +6,7 @@
 #include "pushback/common/world/forwarding_solver.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/engine/islands/island_solver.h"
-#include "pushback/engine/substeps/wide.h"
+#include "pushback/engine/substeps/wide_solver.h"
 #include "pushback/tools/catalogue/solvers.h"
 #include "pushback/tools/measure/hard_cases/finite.h"
 #include "pushback/tools/measure/hard_cases/ledger.h"
@@ -160,7 +160,7 @@ struct FeltWhole : Full {
 };
 /// Each island by its own step: within that of the many, too, is felt.
 struct FeltIslands : IslandSolver {
-  FeltWhole<Wide<Real>> felt;
+  FeltWhole<WideSolver<Real>> felt;
 
  private:
   StepSolver& inner() override { return felt; }
@@ -171,7 +171,7 @@ std::string nothing() {
 }
 FuzzResult wide(const RandomScene& scene, bool log) {
   Watched watched(scene);
-  FeltWhole<Wide<Real>> solver;
+  FeltWhole<WideSolver<Real>> solver;
   solver.watcher = &watched.watcher;
   return watched.run(solver, 1, solver.plan(scene.dt).sweeps, solver.substeps, log, nothing);
 }

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "pushback/chapters/14_joints_under_load/split_joints.h"
-#include "pushback/chapters/19_accuracy_and_time/seat.h"
+#include "pushback/chapters/19_accuracy_and_time/rest_depth.h"
 #include "pushback/common/basics/named.h"
 #include "pushback/engine/direct/warm_direct_contacts.h"
 #include "pushback/engine/islands/island_solver.h"
@@ -101,16 +101,17 @@ Stepper steps_by(AnySolver solver) {
 constexpr double most_multiplications = 4e10;
 
 Stage direct_stage() {
-  Solver<SplitJoints, Clamping, Baumgarte, Seat, Restitution, FrictionCone, WarmStart, WarmDirectContacts> solver;
+  Solver<SplitJoints, Clamping, Baumgarte, RestDepth, Restitution, FrictionCone, WarmStart, WarmDirectContacts> solver;
   solver.WarmDirectContacts::tolerance = 1e-7;
-  solver.too_far = 1e-6;
+  solver.fallback_tolerance = 1e-6;
   solver.rounds = 1;
   solver.work = most_multiplications;
-  Stage stage{{"19 direct contacts",
-               "08 friction cone on a seat, all contacts of a step solved directly: from one start, within 4·10¹⁰ "
-               "multiplications",
-               solver,
-               {}}};
+  Stage stage{
+      {"19 direct contacts",
+       "08 friction cone on a rest depth, all contacts of a step solved directly: from one start, within 4·10¹⁰ "
+       "multiplications",
+       solver,
+       {}}};
   stage.most_starts = 1;
   return stage;
 }

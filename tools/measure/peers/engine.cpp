@@ -131,7 +131,7 @@ void EngineSolver::substep(World& world, Real h) {
 
 void EngineSolver::whole_step(World& world, Real dt, int sweeps) {
   check_step(dt, sweeps, world.gravity);
-  Everybody::check(world);
+  AllBodies::check(world);
   hand_over(world);
   const ForcesOfSubsteps forces(world, {.substeps = setting_.substeps});  // the engine's own have them alike
   for (const Force& force : world.forces) force.apply(world);

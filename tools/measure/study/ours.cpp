@@ -4,7 +4,7 @@
 #include "pushback/chapters/10_position_correction/nonlinear_gauss_seidel.h"
 #include "pushback/chapters/10_position_correction/split_impulse.h"
 #include "pushback/chapters/14_joints_under_load/steady_joints.h"
-#include "pushback/chapters/19_accuracy_and_time/seat.h"
+#include "pushback/chapters/19_accuracy_and_time/rest_depth.h"
 #include "pushback/engine/direct/direct_joints.h"
 #include "pushback/engine/direct/warm_direct_contacts.h"
 #include "pushback/tools/measure/study/every_motion.h"
@@ -22,7 +22,7 @@ using Nonlinear = CorrectingSolver<Clamping, NonlinearGaussSeidel, Restitution, 
 using Soft = RelaxingSolver<Clamping, SoftContacts, Restitution, FrictionCone, WarmStart>;
 using SteadyCold = RelaxingSolver<Clamping, SoftContacts, SimultaneousImpacts, FrictionCone>;
 using Jointed = Solver<SplitJoints, Clamping, Baumgarte, Restitution, FrictionCone, WarmStart>;
-using Direct = Solver<Clamping, Baumgarte, Seat, Restitution, FrictionCone, WarmStart, WarmDirectContacts>;
+using Direct = Solver<Clamping, Baumgarte, RestDepth, Restitution, FrictionCone, WarmStart, WarmDirectContacts>;
 
 template <class ContactSolver>
 Method method(const std::string& name, const std::string& title) {
@@ -57,7 +57,7 @@ int main(int argc, char** argv) {
       method<Soft>("soft", "soft contacts, cone"),
       method<SteadySolver>("steady", "all together"),
       method<SteadyCold>("steady-cold", "all together, cold"),
-      method<Direct>("direct-contacts", "all contacts solved directly, on a seat"),
+      method<Direct>("direct-contacts", "all contacts solved directly, on a rest depth"),
       method<Solver<Joints>>("joints", "joints, cold"),
       method<Solver<WarmJoints>>("warm-joints", "joints, warm"),
       method<Solver<SplitJoints>>("split-joints", "joints, split impulse"),

@@ -2,7 +2,7 @@
 #include "pushback/chapters/21_detected_once/detected_once.h"
 #include "pushback/engine/half_step/half_step.h"
 #include "pushback/engine/islands/island_solver.h"
-#include "pushback/engine/substeps/wide.h"
+#include "pushback/engine/substeps/wide_solver.h"
 #include "pushback/tools/measure/study/every_motion.h"
 #include "pushback/tools/measure/study/ours.h"
 
@@ -37,8 +37,8 @@ AnySolver within(int substeps) {
   return solver;
 }
 /// Springs that are as stiff as the substeps allow, beyond 240 Hz.
-Wide<double> stiff() {
-  Wide<double> solver;
+WideSolver<double> stiff() {
+  WideSolver<double> solver;
   solver.spring.hertz = Real(1e6);
   return solver;
 }
@@ -76,8 +76,8 @@ Method half_steps(const std::string& name, const std::string& title, const HalfS
 int main(int argc, char** argv) {
   const std::vector<Method> methods{
       method("once", "detected once", divided(DetectedOnce{}), true),
-      method("wide", "detected once, wide", divided(Wide<double>{})),
-      method("wide-float", "detected once, wide, rows in float", divided(Wide<float>{})),
+      method("wide", "detected once, wide", divided(WideSolver<double>{})),
+      method("wide-float", "detected once, wide, rows in float", divided(WideSolver<float>{})),
       method("wide-stiff", "detected once, wide, springs without a limit", divided(stiff()), false, without_pins),
       method("by-island", "each island by what it calls for", by_island),
       method("within", "within 1 mm, divided by these substeps", within),

@@ -1,16 +1,16 @@
-#include "pushback/engine/direct/handful.h"
+#include "pushback/engine/direct/small_contact_problem.h"
 
 #include <Eigen/LU>
 
-#include "pushback/engine/direct/law_as_equation.h"
+#include "pushback/engine/direct/coulomb_equation.h"
 
 namespace pushback {
 
 namespace {
 
 using Eigen::Index;
-using Impulses = Handful::Impulses;
-using Matrix = Handful::Matrix;
+using Impulses = SmallContactProblem::Impulses;
+using Matrix = SmallContactProblem::Matrix;
 
 /// How fast row i becomes by 1 N s on row j, as far as `body` takes part in both.
 double through(const Body* body, const Row& i, const Row& j) {
@@ -20,23 +20,23 @@ double through(const Body* body, const Row& i, const Row& j) {
 }
 
 /// f of all contacts, and f' with the pull p if it is asked for.
-Impulses f_of(const Handful& problem, const Impulses& r, const Impulses& u, double pull = 0,
+Impulses f_of(const SmallContactProblem& problem, const Impulses& r, const Impulses& u, double pull = 0,
               Matrix* derivative = nullptr) {
   Impulses f(r.size());
   for (Index c = 0; c < problem.mu.size(); ++c) {
-    const Law law(ContactBlock(problem.w.block<3, 3>(3 * c, 3 * c)), problem.mu[c], r.segment<3>(3 * c),
-                  u.segment<3>(3 * c));
+    const CoulombEquation law(ContactBlock(problem.w.block<3, 3>(3 * c, 3 * c)), problem.mu[c], r.segment<3>(3 * c),
+                              u.segment<3>(3 * c));
     f.segment<3>(3 * c) = law.f;
     if (derivative == nullptr) continue;
-    derivative->middleRows<3>(3 * c).noalias() = law.by_u * problem.w.middleRows<3>(3 * c);
-    derivative->block<3, 3>(3 * c, 3 * c) += law.by_r + pull * law.by_u;
+    derivative->middleRows<3>(3 * c).noalias() = law.df_du * problem.w.middleRows<3>(3 * c);
+    derivative->block<3, 3>(3 * c, 3 * c) += law.df_dr + pull * law.df_du;
   }
   return f;
 }
 
 }  // namespace
 
-Matrix matrix_of_handful(const Rows& rows, const std::vector<Index>& places) {
+Matrix small_matrix_of(const Rows& rows, const std::vector<Index>& places) {
   const Index size = static_cast<Index>(rows.size());
   Matrix w(size, size);
   for (std::size_t i = 0; i < rows.size(); ++i)
@@ -46,7 +46,7 @@ Matrix matrix_of_handful(const Rows& rows, const std::vector<Index>& places) {
   return w;
 }
 
-bool solve_handful(const Handful& problem, Impulses& r, double tolerance) {
+bool solve_small(const SmallContactProblem& problem, Impulses& r, double tolerance) {
   double pull = 1e-3 * problem.w.diagonal().maxCoeff();
   Impulses at = r, u = problem.w * at + problem.q;
   Matrix derivative(r.size(), r.size());

@@ -11,28 +11,30 @@ namespace {
 
 /// Pairs whose rows are to be placed anew, as they are now.
 template <class Lanes>
-struct Placing {
-  Pairs<Lanes> now, moved, given;  // velocities; since detection; what the impulses of the rows have given
-  Levers<Lanes> levers;            // with the inertias of now
+struct RowRebuild {
+  Pairs<Lanes> velocity, displacement;  // now; since detection
+  Pairs<Lanes> impulse_velocity;        // the velocity that the impulses of the rows have given
+  PairGeometry<Lanes> geometry;         // with the inertias of now
 };
 template <class Lanes, class Real>
-void keep(const typename Lanes::mask_type& placed, const Lanes& number, Eight<Real>& in, int at) {
-  store(either(placed, number, load<Lanes>(in, at)), in, at);
+void keep(const typename Lanes::mask_type& placed, const Lanes& number, EightNumbers<Real>& in, int at) {
+  store(select(placed, number, load<Lanes>(in, at)), in, at);
 }
 template <class Lanes, class Real>
 void keep(const typename Lanes::mask_type& placed, const Vec<Lanes>& vectors, EightVectors<Real>& in, int at) {
-  store(either(placed, vectors, load<Lanes>(in, at)), in, at);
+  store(select(placed, vectors, load<Lanes>(in, at)), in, at);
 }
 /// Rows and their numbers, of those that are `placed`; and what the impulses that they have give.
 template <class Lanes, class Real>
-void place(const Bundle<Real>& bundle, WideContact<Real>& contact, const typename Lanes::mask_type& placed,
-           const Lanes& C, const Lanes& K, const Lanes& k11, const Lanes& k22, Placing<Lanes>& pairs, int at) {
+void update_contact(const Bundle<Real>& bundle, WideContact<Real>& contact, const typename Lanes::mask_type& placed,
+                    const Lanes& C, const Lanes& K, const Lanes& k11, const Lanes& k22, RowRebuild<Lanes>& pairs,
+                    int at) {
   const auto here = placed && load<Lanes>(contact.rigid_mass, at) > 0;
   const LanesOfRow<Lanes> normal(bundle.n, contact.normal, at), tangent1(bundle.tangent1, contact.tangent1, at),
       tangent2(bundle.tangent2, contact.tangent2, at);
   keep(here, Lanes(1 / K), contact.rigid_mass, at);
-  keep(here, step_of(tangent1, tangent2, k11, k22), contact.step_size, at);
-  keep(here, Lanes(C - pairs.moved.along(normal)), contact.found, at);
+  keep(here, step_size_of(tangent1, tangent2, k11, k22), contact.step_size, at);
+  keep(here, Lanes(C - pairs.displacement.along(normal)), contact.found, at);
 }
 
 // ---- carried, as in chapter 21 ---------------------------------------------------------------------------------------
@@ -40,36 +42,36 @@ void place(const Bundle<Real>& bundle, WideContact<Real>& contact, const typenam
 /// A row of bodies that have moved past each other by `way`: one point for both again, chapter 12. Returns K.
 template <class Lanes, class Real>
 Lanes carry_row(WideRow<Real>& row, const Vec<Lanes>& n, const Vec<Lanes>& way, const typename Lanes::mask_type& placed,
-                Placing<Lanes>& pairs, int at) {
+                RowRebuild<Lanes>& pairs, int at) {
   const Vec<Lanes> m = cross(way, n);
-  const Lanes of_a = abs(dot(m, pairs.now.a.w)), of_b = abs(dot(m, pairs.now.b.w)), both = of_a + of_b;
-  Lanes s = pairs.now.inverse_mass_b / pairs.levers.inverse_masses;
+  const Lanes of_a = abs(dot(m, pairs.velocity.a.w)), of_b = abs(dot(m, pairs.velocity.b.w)), both = of_a + of_b;
+  Lanes s = pairs.velocity.inverse_mass_b / pairs.geometry.inverse_masses;
   where(both > 0, s) = of_b / both;
   const Vec<Lanes> ra_n = load<Lanes>(row.ra_n, at) + s * m, rb_n = load<Lanes>(row.rb_n, at) - (1 - s) * m;
   const Vec<Lanes> old_dwa = load<Lanes>(row.dwa, at), old_dwb = load<Lanes>(row.dwb, at);
-  const Vec<Lanes> dwa = either(placed, pairs.levers.inverse_inertia_a * ra_n, old_dwa);
-  const Vec<Lanes> dwb = either(placed, pairs.levers.inverse_inertia_b * rb_n, old_dwb);
+  const Vec<Lanes> dwa = select(placed, pairs.geometry.inverse_inertia_a * ra_n, old_dwa);
+  const Vec<Lanes> dwb = select(placed, pairs.geometry.inverse_inertia_b * rb_n, old_dwb);
   const Lanes impulse = load<Lanes>(row.impulse, at);
-  pairs.given.a.w = pairs.given.a.w - impulse * (dwa - old_dwa);
-  pairs.given.b.w = pairs.given.b.w + impulse * (dwb - old_dwb);
+  pairs.impulse_velocity.a.w = pairs.impulse_velocity.a.w - impulse * (dwa - old_dwa);
+  pairs.impulse_velocity.b.w = pairs.impulse_velocity.b.w + impulse * (dwb - old_dwb);
   keep(placed, ra_n, row.ra_n, at);
   keep(placed, rb_n, row.rb_n, at);
   store(dwa, row.dwa, at);
   store(dwb, row.dwb, at);
-  return pairs.levers.inverse_masses + (dot(rb_n, dwb) + dot(ra_n, dwa));
+  return pairs.geometry.inverse_masses + (dot(rb_n, dwb) + dot(ra_n, dwa));
 }
 /// KeptContact::carry of chapter 21.
 template <class Lanes, class Real>
-void carry_pair(const Bundles<Real>& all, Bundle<Real>& bundle, const typename Lanes::mask_type& placed,
-                Placing<Lanes>& pairs, int at) {
-  const Vec<Lanes> way = pairs.moved.b.v - pairs.moved.a.v - load<Lanes>(bundle.placed_way, at);
+void carry_pair(const BundleRange<Real>& all, Bundle<Real>& bundle, const typename Lanes::mask_type& placed,
+                RowRebuild<Lanes>& pairs, int at) {
+  const Vec<Lanes> way = pairs.displacement.b.v - pairs.displacement.a.v - load<Lanes>(bundle.rebuilt_displacement, at);
   for (int c = bundle.first; c < bundle.end; ++c) {
     WideContact<Real>& contact = all.contacts[c];
-    const Lanes C = load<Lanes>(contact.found, at) + pairs.moved.along({bundle.n, contact.normal, at});
+    const Lanes C = load<Lanes>(contact.found, at) + pairs.displacement.along({bundle.n, contact.normal, at});
     const Lanes K = carry_row(contact.normal, load<Lanes>(bundle.n, at), way, placed, pairs, at);
     const Lanes k11 = carry_row(contact.tangent1, load<Lanes>(bundle.tangent1, at), way, placed, pairs, at);
     const Lanes k22 = carry_row(contact.tangent2, load<Lanes>(bundle.tangent2, at), way, placed, pairs, at);
-    place(bundle, contact, placed, C, K, k11, k22, pairs, at);  // as near as they were
+    update_contact(bundle, contact, placed, C, K, k11, k22, pairs, at);  // as near as they were
   }
 }
 
@@ -90,9 +92,9 @@ Orientation<Lanes> turn_between(const Vec<Lanes>& from, const Vec<Lanes>& to) {
   return {by * v, by * s};
 }
 template <class Lanes>
-Orientation<Lanes> either(const typename Lanes::mask_type& so, const Orientation<Lanes>& yes,
+Orientation<Lanes> select(const typename Lanes::mask_type& so, const Orientation<Lanes>& yes,
                           const Orientation<Lanes>& no) {
-  return {either(so, yes.v, no.v), either(so, yes.s, no.s)};
+  return {select(so, yes.v, no.v), select(so, yes.s, no.s)};
 }
 
 /// By how much a turn moves a point, m. Not as a difference of two points: far from the centre, that of a float is no length.
@@ -105,7 +107,7 @@ Vec<Lanes> shifted(const Orientation<Lanes>& turn, const Vec<Lanes>& point) {
 /// How pairs have turned since detection, and where their contacts are by now.
 template <class Lanes>
 struct Riding {
-  typename Lanes::mask_type on_a, on_b;  // where n turns with A, with B; elsewhere it lies between two cores
+  typename Lanes::mask_type face_a, face_b;  // where n turns with A, with B; elsewhere it lies between two cores
   Orientation<Lanes> turn_a, turn_b;
   Vec<Lanes> way, found_n;  // by which B has moved past A; n as detected
   Lanes radius_a, radius_b;
@@ -128,8 +130,8 @@ struct Riding {
                             shifted(turn_a, point.core_a);
     const Lanes length = sqrt(dot(line, line));
     const auto ahead = 2 * dot(line, found_n) > length;  // cores that pass through each other leave n where it was
-    const Vec<Lanes> n = either(ahead, (Lanes(1) / length) * line, found_n);
-    return either(on_a, turn_a, either(on_b, turn_b, turn_between(found_n, n)));
+    const Vec<Lanes> n = select(ahead, (Lanes(1) / length) * line, found_n);
+    return select(face_a, turn_a, select(face_b, turn_b, turn_between(found_n, n)));
   }
   struct Point {
     Vec<Lanes> arm_a, arm_b;  // to the point midway between both surfaces, m
@@ -138,20 +140,20 @@ struct Riding {
   Point point(const Found& point, const Vec<Lanes>& n) const {
     const Vec<Lanes> of_a = shifted(turn_a, point.core_a) + radius_a * (n - found_n),
                      of_b = shifted(turn_b, point.core_b) - radius_b * (n - found_n);
-    const Lanes C = dot(n, point.gap * found_n + way + either(on_b, shifted(turn_b, point.surface_b), of_b) -
-                               either(on_a, shifted(turn_a, point.surface_a), of_a));
+    const Lanes C = dot(n, point.gap * found_n + way + select(face_b, shifted(turn_b, point.surface_b), of_b) -
+                               select(face_a, shifted(turn_a, point.surface_a), of_a));
     const Vec<Lanes> middle = C / 2 * n, gap = point.gap * found_n;
-    return {either(on_a, point.surface_a + gap + way + of_b - middle, point.surface_a + of_a + middle),
-            either(on_a, point.surface_b + of_b - middle, point.surface_b - gap - way + of_a + middle), C};
+    return {select(face_a, point.surface_a + gap + way + of_b - middle, point.surface_a + of_a + middle),
+            select(face_a, point.surface_b + of_b - middle, point.surface_b - gap - way + of_a + middle), C};
   }
 };
 
 /// J and M^-1 J^T along `n`, of those that are `placed`. Returns K, 1/kg.
 template <class Lanes, class Real>
-Lanes ride(WideRow<Real>& row, const Vec<Lanes>& n, const Levers<Lanes>& levers,
+Lanes ride(WideRow<Real>& row, const Vec<Lanes>& n, const PairGeometry<Lanes>& geometry,
            const typename Lanes::mask_type& placed, int at) {
   WideRow<Real> anew;
-  const Lanes K = make_row(anew, n, levers, at);
+  const Lanes K = make_row(anew, n, geometry, at);
   keep(placed, load<Lanes>(anew.ra_n, at), row.ra_n, at);
   keep(placed, load<Lanes>(anew.rb_n, at), row.rb_n, at);
   keep(placed, load<Lanes>(anew.dwa, at), row.dwa, at);
@@ -163,20 +165,20 @@ Lanes ride(WideRow<Real>& row, const Vec<Lanes>& n, const Levers<Lanes>& levers,
 ///   a corner, or a round body, on a face:   n turns with the face,   P is a point of the other body
 ///   two round bodies:                       n is the direction from core to core
 template <class Lanes, class Real>
-void ride(const Bundles<Real>& all, Bundle<Real>& bundle, const typename Lanes::mask_type& placed,
-          Placing<Lanes>& pairs, int at) {
-  const Riding<Lanes> riding{.on_a = load<Lanes>(bundle.on_a, at) > 0,
-                             .on_b = load<Lanes>(bundle.on_b, at) > 0,
-                             .turn_a = turn_by(pairs.moved.a.w),
-                             .turn_b = turn_by(pairs.moved.b.w),
-                             .way = pairs.moved.b.v - pairs.moved.a.v,
+void ride(const BundleRange<Real>& all, Bundle<Real>& bundle, const typename Lanes::mask_type& placed,
+          RowRebuild<Lanes>& pairs, int at) {
+  const Riding<Lanes> riding{.face_a = load<Lanes>(bundle.face_a, at) > 0,
+                             .face_b = load<Lanes>(bundle.face_b, at) > 0,
+                             .turn_a = turn_by(pairs.displacement.a.w),
+                             .turn_b = turn_by(pairs.displacement.b.w),
+                             .way = pairs.displacement.b.v - pairs.displacement.a.v,
                              .found_n = load<Lanes>(bundle.found_n, at),
                              .radius_a = load<Lanes>(bundle.radius_a, at),
                              .radius_b = load<Lanes>(bundle.radius_b, at)};
-  const Lanes once = either(placed, Lanes(1), Lanes(0));  // a lane beside them keeps its bits
+  const Lanes once = select(placed, Lanes(1), Lanes(0));  // a lane beside them keeps its bits
   for (int c = bundle.first; c < bundle.end; ++c) {  // what has been given along the n of before is summed along it
     WideContact<Real>& contact = all.contacts[c];
-    give(pairs.given, bundle, contact, Lanes(-once), at);
+    give(pairs.impulse_velocity, bundle, contact, Lanes(-once), at);
     add(once * impulse_of<Lanes>(bundle, contact, at), contact.sum, at);
   }
   const Orientation<Lanes> turn = riding.turn_of_normal(riding.found(all.points[bundle.first], at));
@@ -188,13 +190,13 @@ void ride(const Bundles<Real>& all, Bundle<Real>& bundle, const typename Lanes::
   for (int c = bundle.first; c < bundle.end; ++c) {
     WideContact<Real>& contact = all.contacts[c];
     const auto point = riding.point(riding.found(all.points[c], at), n);
-    pairs.levers.arm_a = point.arm_a;
-    pairs.levers.arm_b = point.arm_b;
-    const Lanes K = ride(contact.normal, n, pairs.levers, placed, at);
-    const Lanes k11 = ride(contact.tangent1, tangent1, pairs.levers, placed, at);
-    const Lanes k22 = ride(contact.tangent2, tangent2, pairs.levers, placed, at);
-    place(bundle, contact, placed, point.C, K, k11, k22, pairs, at);
-    give(pairs.given, bundle, contact, once, at);
+    pairs.geometry.arm_a = point.arm_a;
+    pairs.geometry.arm_b = point.arm_b;
+    const Lanes K = ride(contact.normal, n, pairs.geometry, placed, at);
+    const Lanes k11 = ride(contact.tangent1, tangent1, pairs.geometry, placed, at);
+    const Lanes k22 = ride(contact.tangent2, tangent2, pairs.geometry, placed, at);
+    update_contact(bundle, contact, placed, point.C, K, k11, k22, pairs, at);
+    give(pairs.impulse_velocity, bundle, contact, once, at);
     add(-once * impulse_of<Lanes>(bundle, contact, at), contact.sum, at);
   }
 }
@@ -203,13 +205,13 @@ void ride(const Bundles<Real>& all, Bundle<Real>& bundle, const typename Lanes::
 
 /// After the bodies have moved: of pairs that have passed each other or turned far enough the rows are placed anew.
 template <class Lanes, class Real>
-void along(const Bundles<Real>& all) {
+void rebuild_rows(const BundleRange<Real>& all) {
   each_bundle<Lanes>(all, [&](Bundle<Real>& bundle, int at) {
-    const Pairs<Lanes> moved(bundle, all.moved, at);
-    const Vec<Lanes> way = moved.b.v - moved.a.v, passed = way - load<Lanes>(bundle.placed_way, at),
-                     turned_a = moved.a.w - load<Lanes>(bundle.placed_turn_a, at),
-                     turned_b = moved.b.w - load<Lanes>(bundle.placed_turn_b, at);
-    const Lanes least = load<Lanes>(bundle.stays_within, at), reach_a = load<Lanes>(bundle.reach_a, at),
+    const Pairs<Lanes> moved(bundle, all.displacements, at);
+    const Vec<Lanes> way = moved.b.v - moved.a.v, passed = way - load<Lanes>(bundle.rebuilt_displacement, at),
+                     turned_a = moved.a.w - load<Lanes>(bundle.rebuilt_turn_a, at),
+                     turned_b = moved.b.w - load<Lanes>(bundle.rebuilt_turn_b, at);
+    const Lanes least = load<Lanes>(bundle.rebuild_distance_squared, at), reach_a = load<Lanes>(bundle.reach_a, at),
                 reach_b = load<Lanes>(bundle.reach_b, at), by_a = dot(turned_a, turned_a),
                 by_b = dot(turned_b, turned_b);
     const auto passes = dot(passed, passed) >= least,
@@ -217,27 +219,27 @@ void along(const Bundles<Real>& all) {
     // Impulses that turned by more than this in one substep, rad, squared, would throw the bodies: such a pair is carried.
     const Lanes at_once(typename Lanes::value_type(0.0625));
     const auto rides =
-        load<Lanes>(bundle.on_a, at) + load<Lanes>(bundle.on_b, at) + load<Lanes>(bundle.between, at) > 0 &&
+        load<Lanes>(bundle.face_a, at) + load<Lanes>(bundle.face_b, at) + load<Lanes>(bundle.cores, at) > 0 &&
         by_a < at_once && by_b < at_once;
     const auto placed = passes || turns;
     if (none_of(placed)) return;
     Lanes bounce = 0;  // an impact is at one instant: the relaxing pass ends it along the n with which it began
     for (int c = bundle.first; c < bundle.end; ++c) bounce = bounce + load<Lanes>(all.contacts[c].bounce, at);
     const auto ridden = placed && rides && bounce >= 0, carried = placed && !ridden;
-    Placing<Lanes> pairs{.now = Pairs<Lanes>(bundle, all.now, at),
-                         .moved = moved,
-                         .given = Pairs<Lanes>(bundle, all.given, at),
-                         .levers = {.arm_a = {},
-                                    .arm_b = {},
-                                    .inverse_inertia_a = fetch<Lanes>(bundle.a + at, all.inertias),
-                                    .inverse_inertia_b = fetch<Lanes>(bundle.b + at, all.inertias),
-                                    .inverse_masses = moved.inverse_mass_a + moved.inverse_mass_b}};
+    RowRebuild<Lanes> pairs{.velocity = Pairs<Lanes>(bundle, all.velocities, at),
+                            .displacement = moved,
+                            .impulse_velocity = Pairs<Lanes>(bundle, all.impulse_velocities, at),
+                            .geometry = {.arm_a = {},
+                                         .arm_b = {},
+                                         .inverse_inertia_a = fetch<Lanes>(bundle.a + at, all.inertias),
+                                         .inverse_inertia_b = fetch<Lanes>(bundle.b + at, all.inertias),
+                                         .inverse_masses = moved.inverse_mass_a + moved.inverse_mass_b}};
     if (any_of(carried)) carry_pair(all, bundle, carried, pairs, at);
     if (any_of(ridden)) ride(all, bundle, ridden, pairs, at);
-    keep(placed, way, bundle.placed_way, at);
-    keep(placed, moved.a.w, bundle.placed_turn_a, at);
-    keep(placed, moved.b.w, bundle.placed_turn_b, at);
-    pairs.given.put_back(bundle, all.given, at);
+    keep(placed, way, bundle.rebuilt_displacement, at);
+    keep(placed, moved.a.w, bundle.rebuilt_turn_a, at);
+    keep(placed, moved.b.w, bundle.rebuilt_turn_b, at);
+    pairs.impulse_velocity.put_back(bundle, all.impulse_velocities, at);
   });
 }
 

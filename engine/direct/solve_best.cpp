@@ -1,9 +1,9 @@
-#include "pushback/engine/direct/best.h"
+#include "pushback/engine/direct/solve_best.h"
 
 #include <numeric>
 #include <random>
 
-#include "pushback/engine/direct/conjugate.h"
+#include "pushback/engine/direct/conjugate_sweeper.h"
 #include "pushback/engine/direct/proximal_newton.h"
 
 namespace pushback {
@@ -32,7 +32,7 @@ ContactProblem reordered(const ContactProblem& problem, const Order& order) {
   ContactProblem other = problem;
   std::vector<Eigen::Triplet<double>> entries;
   for (Index row = 0; row < problem.w.rows(); ++row) {
-    for (SparseRows::InnerIterator it(problem.w, row); it; ++it)
+    for (SparseMatrix::InnerIterator it(problem.w, row); it; ++it)
       entries.emplace_back(static_cast<int>(moved(row)), static_cast<int>(moved(it.col())), it.value());
     other.q[moved(row)] = problem.q[row];
     other.mu[moved(row) / 3] = problem.mu[row / 3];
@@ -43,18 +43,18 @@ ContactProblem reordered(const ContactProblem& problem, const Order& order) {
 
 }  // namespace
 
-Solution solve_best(const ContactProblem& problem, const Effort& effort) {
+Solution solve_best(const ContactProblem& problem, const SolveLimits& limits) {
   Solution best;
   best.r = Vector::Zero(problem.q.size());
   best.residual = relative_residual(problem, best.r);
   const double unit = problem.q.norm(), of_a_sweep = static_cast<double>(problem.w.nonZeros());
-  const auto spent = [&] { return best.work >= effort.work; };
+  const auto spent = [&] { return best.work >= limits.work; };
   const auto enough = [&] {  // or as good as r can be told from its neighbours
     const double rounding = unit > 0 ? std::numeric_limits<double>::epsilon() * best.r.norm() / unit : 0;
-    return best.residual <= std::max(effort.tolerance, rounding) || spent();
+    return best.residual <= std::max(limits.tolerance, rounding) || spent();
   };
 
-  for (int round = 0; round < effort.rounds && !enough(); ++round) {
+  for (int round = 0; round < limits.rounds && !enough(); ++round) {
     const Order order = order_of_round(round, problem.contacts());
     const ContactProblem other = reordered(problem, order);
     const auto keep_if_better = [&](const Vector& r) {
@@ -65,7 +65,7 @@ Solution solve_best(const ContactProblem& problem, const Effort& effort) {
         best.r.segment<3>(3 * order[i]) = r.segment<3>(3 * static_cast<Index>(i));
     };
     Vector r = Vector::Zero(problem.q.size());
-    ConjugateSweeper<Cone> sweeper(other, r);
+    ConjugateSweeper<ConeStep> sweeper(other, r);
     int done = 0;
     for (const int upto : round == 0 ? std::vector{200, 1000, 5000} : std::vector{5000, 50000}) {
       for (; done < upto && !spent(); ++done, ++best.sweeps, best.work += of_a_sweep) sweeper.sweep(r);
@@ -73,10 +73,10 @@ Solution solve_best(const ContactProblem& problem, const Effort& effort) {
       keep_if_better(r);
       if (enough()) break;
       Vector refined = r;
-      const NewtonWork newton_work =
-          newton(other, refined, {effort.tolerance, upto <= 5000 ? 30 : 400, effort.work - best.work});
+      const ProximalStats newton_work =
+          solve_proximal(other, refined, {limits.tolerance, upto <= 5000 ? 30 : 400, limits.work - best.work});
       best.systems += newton_work.systems;
-      best.work += newton_work.multiplications;
+      best.work += newton_work.work;
       keep_if_better(refined);
       if (enough()) break;
     }

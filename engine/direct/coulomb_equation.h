@@ -5,37 +5,37 @@
 
 namespace pushback {
 
-/// f of one contact, and what it changes by: df = by_u du + by_r dr.
-struct Law {
+/// f of one contact, and what it changes by: df = df_du du + df_dr dr.
+struct CoulombEquation {
   Eigen::Vector3d f;
-  Eigen::Matrix3d by_u = Eigen::Matrix3d::Zero(), by_r = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d df_du = Eigen::Matrix3d::Zero(), df_dr = Eigen::Matrix3d::Zero();
 
-  Law(const ContactBlock& at, double mu, const Eigen::Vector3d& r, const Eigen::Vector3d& u) {
+  CoulombEquation(const ContactBlock& at, double mu, const Eigen::Vector3d& r, const Eigen::Vector3d& u) {
     using Eigen::Matrix2d;
     using Eigen::Vector2d;
     const double a = at.w(0, 0) > 0 ? 1 / at.w(0, 0) : 1, b = at.larger_eigenvalue > 0 ? 1 / at.larger_eigenvalue : 1;
     const double normal = r[0] - a * u[0];
     if (normal <= 0) {  // open: r = 0
       f = r;
-      by_r.setIdentity();
+      df_dr.setIdentity();
       return;
     }
     f[0] = a * u[0];
-    by_u(0, 0) = a;
+    df_du(0, 0) = a;
     const Vector2d t = r.tail<2>() - b * u.tail<2>();
     const double radius = mu * normal, length = t.norm();
     if (length <= radius) {  // sticks: u = 0
       f.tail<2>() = b * u.tail<2>();
-      by_u(1, 1) = by_u(2, 2) = b;
+      df_du(1, 1) = df_du(2, 2) = b;
       return;
     }
     const Vector2d way = t / length;  // slides: r_t = radius way
     const Matrix2d turn = radius / length * (Matrix2d::Identity() - way * way.transpose());
     f.tail<2>() = r.tail<2>() - radius * way;
-    by_r.bottomRightCorner<2, 2>() = Matrix2d::Identity() - turn;
-    by_u.bottomRightCorner<2, 2>() = b * turn;
-    by_r.bottomLeftCorner<2, 1>() = -mu * way;
-    by_u.bottomLeftCorner<2, 1>() = mu * a * way;
+    df_dr.bottomRightCorner<2, 2>() = Matrix2d::Identity() - turn;
+    df_du.bottomRightCorner<2, 2>() = b * turn;
+    df_dr.bottomLeftCorner<2, 1>() = -mu * way;
+    df_du.bottomLeftCorner<2, 1>() = mu * a * way;
   }
 };
 

@@ -9,7 +9,7 @@
 namespace pushback {
 
 /// 1/kg, a row and a column for each of `rows`. `softness`, 1/kg, is added on the diagonal: of each row, or none.
-SparseRows matrix_of(const Rows& rows, const std::vector<Real>& softness = {});
+SparseMatrix matrix_of(const Rows& rows, const std::vector<Real>& softness = {});
 
 /// J V + b of each row, m/s: what A lambda has to make up for.
 Vector speeds_of(const Rows& rows);
@@ -17,7 +17,7 @@ Vector speeds_of(const Rows& rows);
 /// Projected Gauss-Seidel, one row:   l_i <- clamp(l_i - (A l + b)_i / A_ii, lo, hi)
 ///
 /// Over all rows in turn this is sequential impulses: there JV is kept in the bodies' velocities, here it is added up from A.
-void project(const SparseRows& a, const Vector& b, Eigen::Index i, double lo, double hi, Vector& impulses);
+void project_row(const SparseMatrix& a, const Vector& b, Eigen::Index i, double lo, double hi, Vector& impulses);
 
 /// The contacts of a world as a problem for any solver, q = JV as the bodies move now: after World::begin_step, that of the
 /// step. Friction is each contact's own; r_n is along its normal, r_t along tangents_of.

@@ -1,4 +1,4 @@
-#include "pushback/engine/substeps/crew.h"
+#include "pushback/engine/substeps/thread_pool.h"
 
 #include "pushback/common/basics/input.h"
 
@@ -27,9 +27,9 @@ void wait_while(const std::atomic<Value>& is, Value value, int spins) {
 }
 
 int checked(int threads) {
-  if (threads < 1 || threads > Crew::most)
-    throw InvalidInput(
-        fmt::format("the number of threads is {}: a whole number from 1 to {} is needed", threads, Crew::most));
+  if (threads < 1 || threads > ThreadPool::most_threads)
+    throw InvalidInput(fmt::format("the number of threads is {}: a whole number from 1 to {} is needed", threads,
+                                   ThreadPool::most_threads));
   return threads;
 }
 
@@ -43,22 +43,22 @@ int spins_of(int threads) {
 
 }  // namespace
 
-Crew::Crew(int threads, bool however_little)
-    : Workers(checked(threads) == 1 ? 1 : parts_a_thread * static_cast<std::size_t>(threads), however_little),
+ThreadPool::ThreadPool(int threads, bool always_split)
+    : Workers(checked(threads) == 1 ? 1 : parts_a_thread * static_cast<std::size_t>(threads), always_split),
       places_(parts_a_thread * static_cast<std::size_t>(threads)),
       spins_(spins_of(threads)) {
   for (std::size_t first = parts_a_thread; first < places_.size(); first += parts_a_thread)
     others_.emplace_back([this, first] { work(first); });
 }
 
-Crew::~Crew() {
+ThreadPool::~ThreadPool() {
   ending_ = true;
   ++round_;
   round_.notify_all();
   for (std::thread& other : others_) other.join();
 }
 
-void Crew::share(std::size_t count, const std::function<void(std::size_t)>& act) {
+void ThreadPool::share(std::size_t count, const std::function<void(std::size_t)>& act) {
   if (busy_.test_and_set(std::memory_order_acquire)) {
     for (std::size_t k = 0; k < count; ++k) act(k);
     return;
@@ -82,13 +82,13 @@ void Crew::share(std::size_t count, const std::function<void(std::size_t)>& act)
   if (failed) std::rethrow_exception(failed);
 }
 
-void Crew::wait_for_others() {
+void ThreadPool::wait_for_others() {
   for (int left = undone_.load(std::memory_order_acquire); left > 0; left = undone_.load(std::memory_order_acquire))
     wait_while(undone_, left, spins_);
 }
 
 /// Its own parts, then every other that nobody has begun.
-void Crew::take_parts(std::size_t first, unsigned round) {
+void ThreadPool::take_parts(std::size_t first, unsigned round) {
   bool in_mode = first == 0;
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const std::size_t k = (first + i) % places_.size();
@@ -106,7 +106,7 @@ void Crew::take_parts(std::size_t first, unsigned round) {
   }
 }
 
-void Crew::work(std::size_t first) {
+void ThreadPool::work(std::size_t first) {
   unsigned round = 0;
   while (true) {
     wait_while(round_, round, spins_);

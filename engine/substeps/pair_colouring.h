@@ -11,16 +11,16 @@
 namespace pushback {
 
 /// Two bodies that touch: `count` contacts that follow each other in the world's list, from `first` on.
-struct PairOfBodies {
+struct TouchingPair {
   std::size_t a, b;  ///< their indices
   std::size_t first, count;
 };
 /// Sets are solved one after the other, the pairs of a set side by side.
-using Sets = std::vector<std::vector<PairOfBodies>>;
+using PairSets = std::vector<std::vector<TouchingPair>>;
 
 /// In the order of the contacts.
-inline std::vector<PairOfBodies> touching_pairs(const Contacts& contacts) {
-  std::vector<PairOfBodies> pairs;
+inline std::vector<TouchingPair> touching_pairs(const Contacts& contacts) {
+  std::vector<TouchingPair> pairs;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const auto& [a, b, feature] = contacts[i].id;
     if (pairs.empty() || pairs.back().a != a || pairs.back().b != b) pairs.push_back({a, b, i, 0});
@@ -33,12 +33,12 @@ inline std::vector<PairOfBodies> touching_pairs(const Contacts& contacts) {
 /// order of the pairs. A body has room for 64 colours; each pair beyond is alone in its set.
 ///
 /// Within a set, pairs with more contacts come first: those side by side then have equally many.
-inline Sets coloured(const std::vector<PairOfBodies>& pairs, const World& world) {
+inline PairSets colour_pairs(const std::vector<TouchingPair>& pairs, const World& world) {
   constexpr int room = 64;
   std::vector<std::uint64_t> taken(world.bodies.size(), 0);  // of each body: a bit for each colour
   const auto movable = [&](std::size_t body) { return world.bodies[body].movable(); };
-  Sets sets(room);
-  for (const PairOfBodies& pair : pairs) {
+  PairSets sets(room);
+  for (const TouchingPair& pair : pairs) {
     std::uint64_t both = 0;
     for (const std::size_t body : {pair.a, pair.b})
       if (movable(body)) both |= taken[body];
@@ -53,7 +53,7 @@ inline Sets coloured(const std::vector<PairOfBodies>& pairs, const World& world)
   std::erase_if(sets, [](const auto& set) { return set.empty(); });
   for (auto& set : sets)
     std::stable_sort(set.begin(), set.end(),
-                     [](const PairOfBodies& p, const PairOfBodies& q) { return p.count > q.count; });
+                     [](const TouchingPair& p, const TouchingPair& q) { return p.count > q.count; });
   return sets;
 }
 

@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "pushback/common/world/islands.h"
-#include "pushback/engine/substeps/colours.h"
+#include "pushback/engine/substeps/pair_colouring.h"
 
 namespace pushback {
 
 /// Of each body, whether it floats: no body of its island (chapter 20) touches, or is joined to, what nothing moves. What is immovable
 /// does not float. `pairs`: all that touch.
-inline std::vector<bool> floating(const std::vector<PairOfBodies>& pairs, const World& world) {
+inline std::vector<bool> floating_bodies(const std::vector<TouchingPair>& pairs, const World& world) {
   std::vector<int> all(world.bodies.size());
   std::iota(all.begin(), all.end(), 0);
   Islands islands;
@@ -20,7 +20,7 @@ inline std::vector<bool> floating(const std::vector<PairOfBodies>& pairs, const 
     if (a.movable() && b.movable()) islands.join(a.index, b.index);
     else if (a.movable() || b.movable()) held[std::size_t((a.movable() ? a : b).index)] = true;
   };
-  for (const PairOfBodies& pair : pairs) meet(world.bodies[pair.a], world.bodies[pair.b]);
+  for (const TouchingPair& pair : pairs) meet(world.bodies[pair.a], world.bodies[pair.b]);
   for (const Joint& joint : world.joints) meet(world.body(joint.a), world.body(joint.b));
   std::vector<bool> held_island(all.size(), false);  // of the island's lowest body
   for (const int i : all)

@@ -1,4 +1,4 @@
-#include "pushback/common/live/lane.h"
+#include "pushback/common/live/track.h"
 
 #include <fmt/format.h>
 
@@ -26,20 +26,21 @@ void cut(std::vector<Value>& values, std::size_t count) {
 
 }  // namespace
 
-Live::Lane::Lane(const Experiment& of, const Experiment::Act& act, const Variant& variant, std::size_t bytes)
+Live::Track::Track(const Experiment& of, const Experiment::SceneRecord& record, const Variant& variant,
+                   std::size_t bytes)
     : experiment_(&of),
-      act_(&act),
+      record_(&record),
       variant_(&variant),
       bytes_(bytes),
       played_(of, variant),
       forces_(played_.world.forces.size()),
-      series_(std::max<std::size_t>(1, act.series.size())) {
+      series_(std::max<std::size_t>(1, record.series.size())) {
   keep();
 }
 
-void Live::Lane::keep() {
-  if (act_->scene.strobe) {
-    const Strobe& strobe = *act_->scene.strobe;
+void Live::Track::keep() {
+  if (record_->scene.strobe) {
+    const Strobe& strobe = *record_->scene.strobe;
     const auto step_at = [&](Real time) { return static_cast<std::size_t>(std::lround(time / experiment_->dt_)); };
     const auto instant = std::lround((static_cast<Real>(at_) * experiment_->dt_ - strobe.from) / strobe.every);
     const Real time = strobe.from + static_cast<Real>(instant) * strobe.every;
@@ -53,20 +54,20 @@ void Live::Lane::keep() {
   std::erase_if(kept_, [this](const auto& one) { return one.first % kept_every_ != 0; });
 }
 
-void Live::Lane::rewind(std::size_t step) {
+void Live::Track::rewind(std::size_t step) {
   const auto before = std::prev(kept_.upper_bound(step));
   played_ = before->second;
   at_ = before->first;
 }
 
-void Live::Lane::go_to(std::size_t step, const Hand& hand) {
+void Live::Track::go_to(std::size_t step, const Hand& hand) {
   if (!mishap_.empty()) step = std::min(step, samples_.size());
   const auto nearest = std::prev(kept_.upper_bound(step));
   if (step < at_ || nearest->first > at_) rewind(step);
   while (at_ < step && (mishap_.empty() || at_ < samples_.size())) advance(hand);
 }
 
-void Live::Lane::advance(const Hand& hand) {
+void Live::Track::advance(const Hand& hand) {
   played_.world.forces.resize(forces_);
   if (at_ < hand.size() && hand[at_]) {
     const Real dt = experiment_->dt_ / static_cast<Real>(variant_->plan(experiment_->dt_).all_substeps());
@@ -85,14 +86,14 @@ void Live::Lane::advance(const Hand& hand) {
   keep();
 }
 
-void Live::Lane::record(const Sample& sample) {
+void Live::Track::record(const Sample& sample) {
   samples_.push_back(sample);
-  for (std::size_t i = 0; i < act_->series.size(); ++i) series_[i].push_back(act_->series[i].of(played_.world));
-  if (act_->series.empty()) series_[0].push_back(1000 * sample.overlap);
-  if (act_->scene.raster) raster_.push_back(act_->scene.raster->of(played_.world));
+  for (std::size_t i = 0; i < record_->series.size(); ++i) series_[i].push_back(record_->series[i].of(played_.world));
+  if (record_->series.empty()) series_[0].push_back(1000 * sample.overlap);
+  if (record_->scene.raster) raster_.push_back(record_->scene.raster->of(played_.world));
 }
 
-void Live::Lane::forget_after(std::size_t step) {
+void Live::Track::forget_after(std::size_t step) {
   if (at_ > step) rewind(step);
   kept_.erase(kept_.upper_bound(step), kept_.end());
   instants_.erase(instants_.upper_bound(step), instants_.end());
@@ -102,11 +103,11 @@ void Live::Lane::forget_after(std::size_t step) {
   mishap_.clear();
 }
 
-Run Live::Lane::run() const {
+Run Live::Track::run() const {
   Run run{world(), experiment_->dt_, samples_, {}};
   cut(run.samples, at_);
-  for (std::size_t i = 0; i < act_->series.size(); ++i) {
-    std::vector<Real>& values = run.series[act_->series[i].name];
+  for (std::size_t i = 0; i < record_->series.size(); ++i) {
+    std::vector<Real>& values = run.series[record_->series[i].name];
     values = series_[i];
     cut(values, at_);
   }

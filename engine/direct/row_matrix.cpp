@@ -1,4 +1,4 @@
-#include "pushback/engine/direct/matrix.h"
+#include "pushback/engine/direct/row_matrix.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -19,7 +19,7 @@ double part(const Row& i, const Row& j, const Body* body) {
 
 }  // namespace
 
-SparseRows matrix_of(const Rows& rows, const std::vector<Real>& softness) {
+SparseMatrix matrix_of(const Rows& rows, const std::vector<Real>& softness) {
   std::unordered_map<const Body*, std::vector<int>> touching;  // asked, never walked: its order is that of addresses
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (const Body* body : {rows[i].a, rows[i].b})
@@ -34,7 +34,7 @@ SparseRows matrix_of(const Rows& rows, const std::vector<Real>& softness) {
         entries.emplace_back(row, j, part(rows[i], rows[static_cast<std::size_t>(j)], body));
     }
   }
-  SparseRows a(static_cast<Index>(rows.size()), static_cast<Index>(rows.size()));
+  SparseMatrix a(static_cast<Index>(rows.size()), static_cast<Index>(rows.size()));
   a.setFromTriplets(entries.begin(), entries.end());
   return a;
 }
@@ -46,9 +46,9 @@ Vector speeds_of(const Rows& rows) {
   return b;
 }
 
-void project(const SparseRows& a, const Vector& b, Index i, double lo, double hi, Vector& impulses) {
+void project_row(const SparseMatrix& a, const Vector& b, Index i, double lo, double hi, Vector& impulses) {
   double speed = b[i], own = 0;
-  for (SparseRows::InnerIterator it(a, i); it; ++it) {
+  for (SparseMatrix::InnerIterator it(a, i); it; ++it) {
     speed += it.value() * impulses[it.col()];
     if (it.col() == i) own = it.value();
   }

@@ -12,7 +12,7 @@ namespace pushback {
 
 /// A face turns its normal with it, and a point of the other body stays on it. Two round bodies touch between their cores. Edges that
 /// cross do neither: their rows are carried, as in chapter 21.
-enum class Rides { nowhere, on_a, on_b, between };
+enum class NormalSource { none, face_a, face_b, cores };
 
 /// m, from the core of a body, a point or a line, to its surface; 0 for a polyhedron.
 inline Real radius_of(const Body& body) {
@@ -33,12 +33,12 @@ inline bool has_face(const Body& body, const Vec3& n) {
 }
 /// Of two faces that lie on each other, the one that nothing moves, or else the one with the longer arms, has the normal: corners
 /// of the smaller one lie on the larger. `reach`: the longest arm, m.
-inline Rides what_it_rides_on(const Body& a, const Body& b, const Vec3& n, Real reach_a, Real reach_b) {
-  if (radius_of(a) > 0 && radius_of(b) > 0) return Rides::between;
+inline NormalSource normal_source_of(const Body& a, const Body& b, const Vec3& n, Real reach_a, Real reach_b) {
+  if (radius_of(a) > 0 && radius_of(b) > 0) return NormalSource::cores;
   const bool face_of_a = has_face(a, n), face_of_b = has_face(b, -n);
   const bool rather_a = !a.movable() || (b.movable() && reach_a >= reach_b);
-  if (face_of_a && (rather_a || !face_of_b)) return Rides::on_a;
-  return face_of_b ? Rides::on_b : Rides::nowhere;
+  if (face_of_a && (rather_a || !face_of_b)) return NormalSource::face_a;
+  return face_of_b ? NormalSource::face_b : NormalSource::none;
 }
 
 }  // namespace pushback

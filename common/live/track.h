@@ -8,11 +8,11 @@
 
 namespace pushback {
 
-class Live::Lane {
+class Live::Track {
  public:
   using Hand = std::vector<std::optional<Grab>>;
 
-  Lane(const Experiment& of, const Experiment::Act& act, const Variant& variant, std::size_t bytes);
+  Track(const Experiment& of, const Experiment::SceneRecord& record, const Variant& variant, std::size_t bytes);
 
   /// Goes to a step. `hand`: what the hand held in each step.
   void go_to(std::size_t step, const Hand& hand);
@@ -37,7 +37,7 @@ class Live::Lane {
   void keep();
 
   const Experiment* experiment_;
-  const Experiment::Act* act_;
+  const Experiment::SceneRecord* record_;
   const Variant* variant_;
   std::size_t bytes_;
   Experiment::Played played_;

@@ -1,10 +1,10 @@
-#include "pushback/engine/direct/trees_directly.h"
+#include "pushback/engine/direct/direct_tree_joints.h"
 
 #include <algorithm>
 
 namespace pushback {
 
-void TreesDirectly::share_out(const World& world) {
+void DirectTreeJoints::assign_joints(const World& world) {
   std::vector<JoinedBodies> bodies;
   for (const Joint& joint : world.joints) {
     const auto moving = [&world](int body) { return world.body(body).movable() ? body : not_moving; };

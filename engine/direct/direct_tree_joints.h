@@ -11,13 +11,13 @@ namespace pushback {
 /// Rows of a loop may contradict each other: those of a cloth are more than its particles can follow. Solved exactly, such rows ask for
 /// any speed; swept, each gives way a little. So joints are shared out: all that hang together, by bodies that move, are
 /// solved by `trees` if there is one way from body to body, and by `loops` if there are two.
-struct TreesDirectly : Effect, HoldsJoints, UpdatesGeometry {
+struct DirectTreeJoints : Effect, HoldsJoints, UpdatesGeometry {
   Real beta = Joints{}.beta;  ///< of both
   SplitDirectJoints trees;
   SteadyJoints loops;
 
   void check(StepContext& step) {
-    share_out(step.world);
+    assign_joints(step.world);
     trees.beta = loops.beta = beta;
     trees.only(in_trees_);
     loops.only(in_loops_);
@@ -53,7 +53,7 @@ struct TreesDirectly : Effect, HoldsJoints, UpdatesGeometry {
     act(trees);
     act(loops);
   }
-  void share_out(const World& world);
+  void assign_joints(const World& world);
 
   std::vector<JoinedBodies> bodies_;       // of each joint
   std::vector<bool> in_trees_, in_loops_;  // each joint

@@ -1,7 +1,7 @@
 /// Threads that share work whose parts are independent of each other.
 ///
-///   Wide<float> solver;
-///   solver.crew = std::make_shared<Crew>(2);
+///   WideSolver<float> solver;
+///   solver.workers = std::make_shared<ThreadPool>(2);
 ///   world.step(solver, 1.0 / 60);
 #pragma once
 
@@ -18,13 +18,13 @@ namespace pushback {
 
 /// Each thread takes the part of its own number first, then what others have not begun: nobody waits for a thread that sleeps.
 /// Parts are computed in the rounding mode of who calls. While it is at work, who calls it from elsewhere does the parts alone.
-class Crew : public Workers {
+class ThreadPool : public Workers {
  public:
-  static constexpr int most = 256;
+  static constexpr int most_threads = 256;
 
-  /// So many, of which the one that calls is the first. Throws InvalidInput unless there are 1 to `most`.
-  explicit Crew(int threads, bool however_little = false);
-  ~Crew() override;
+  /// So many, of which the one that calls is the first. Throws InvalidInput unless there are 1 to `most_threads`.
+  explicit ThreadPool(int threads, bool always_split = false);
+  ~ThreadPool() override;
   int threads() const { return static_cast<int>(others_.size()) + 1; }
 
  protected:

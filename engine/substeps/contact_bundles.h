@@ -1,0 +1,64 @@
+/// The contacts of one step, copied into bundles of eight pairs of bodies, and back.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "pushback/common/basics/workers.h"
+#include "pushback/engine/substeps/bundle.h"
+#include "pushback/engine/substeps/pair_colouring.h"
+
+namespace pushback {
+
+/// Each part of a pass over bundles has at least so many, if threads share it.
+inline constexpr std::size_t least_bundles = 8;
+
+/// The values of a bundle that do not come from the contacts of the world.
+struct BundleInput {
+  const std::vector<Vec3>& guesses;  ///< N s, on B, world axes: the impulse with which each contact starts
+  const std::vector<bool>& floats;   ///< of each body: see floating_bodies.h
+  Real rebuild_fraction;             ///< WideSolver::rebuild_fraction
+};
+
+/// The arrays on which the passes of bundle.h work, set by set. Defined for float and double.
+template <class Scalar>
+struct ContactBundles {
+  struct Location {
+    std::size_t bundle, contact, lane;
+  };
+
+  std::vector<Body*> bodies;  ///< all that have contacts, then `the_world`, which fills empty lanes
+  std::vector<Real> reaches;  ///< m, of each of `bodies`: its longest arm
+  std::vector<Bundle<Scalar>> bundles;
+  std::vector<std::size_t> set_ends;          ///< of each set, in `bundles`
+  std::vector<WidePoint<Scalar>> points;      ///< of all bundles
+  std::vector<WideContact<Scalar>> contacts;  ///< one for each of `points`
+  std::vector<Location> locations;            ///< of each contact of the world
+
+  /// Copies World::contacts, all pairs of which are in `sets`. Rows are left to Passes::prepare.
+  void build(World& world, PairSets sets, const BundleInput& input, Workers& workers);
+  /// m: the shortest reach of a body that moves. Infinite if no body moves.
+  Real shortest_reach() const;
+  /// Copies the normal, the depth, the impulses and the state of the i-th contact. `displacements`: of each of `bodies`, since
+  /// detection. `known`: the step before had this contact.
+  void write_back(std::size_t i, const std::vector<Twist<Scalar>>& displacements, bool known, Contact& contact) const;
+  /// m/s: the most by which another sweep would change the speed along a row. KeptContact::error of chapter 21.
+  Real residual() const;
+
+ private:
+  std::size_t index_of(World& world, std::size_t body);
+  void measure_reaches(const World& world);
+  std::vector<std::span<const TouchingPair>> lay_out(const PairSets& sets);
+  void clear(Bundle<Scalar>& bundle);
+  void pack_bodies(const TouchingPair& pair, const Vec3& n, const BundleInput& input, Bundle<Scalar>& bundle,
+                   std::size_t lane);
+  void pack_pair(const World& world, const TouchingPair& pair, const BundleInput& input, std::size_t at,
+                 std::size_t lane);
+
+  std::vector<std::size_t> indices_;  // of each body of the world, in `bodies`
+};
+
+extern template struct ContactBundles<float>;  // compiled once, in contact_bundles.cpp
+extern template struct ContactBundles<double>;
+
+}  // namespace pushback

@@ -1,0 +1,96 @@
+/// Chapter 21's solver, eight pairs of bodies at a time.
+///
+///   WideSolver<float> solver;
+///   world.step(solver, 1.0 / 60);
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "pushback/engine/direct/direct_tree_joints.h"
+#include "pushback/engine/substeps/contact_bundles.h"
+#include "pushback/engine/substeps/substepping_solver.h"
+
+namespace pushback {
+
+/// The fastest passes that this processor can do; or for 1, 4 or 8 `lanes`, the same bits in another time.
+template <class Scalar>
+Passes<Scalar> passes_of_this_processor(int lanes = 0);
+
+/// Rows and impulses are of the type Scalar, whatever Real is; positions are Real. Defined for float and double.
+///
+/// Where the normal turns with a face, or lies between two round bodies, contacts ride: n, both arms and C follow the bodies in each
+/// substep. What floats keeps its angular momentum: there rows are placed anew however slowly a pair moves.
+template <class Scalar, class JointEffect = DirectTreeJoints>
+class WideSolver : public SubsteppingSolver {
+ public:
+  JointEffect joints;
+  Real rebuild_fraction = Real(1e-4);  ///< of a pair's longest arm: it moves so far and keeps its rows
+  Passes<Scalar> passes = passes_of_this_processor<Scalar>();
+  Passes<Real> body_passes = passes_of_this_processor<Real>();  ///< of bodies
+  /// The order in which pairs are solved; each set at once.
+  PairSets (*make_sets)(const std::vector<TouchingPair>& pairs, const World& world) = colour_pairs;
+  /// Who does the bundles of a set, and what else falls into parts; null: this one alone.
+  std::shared_ptr<Workers> workers;
+
+  WideSolver() {
+    reference_step = Real(1) / 60;
+    recheck_speed = Real(0.5);
+  }
+  Plan plan(Real dt) const override {
+    Plan plan = SubsteppingSolver::plan(dt);
+    plan.moves_bodies = true;  // and reads I^-1 only of pairs whose rows are placed anew
+    plan.workers = workers ? workers.get() : &alone();
+    return plan;
+  }
+  void check(World& world, Real h) override {
+    SubsteppingSolver::check(world, h);
+    require_not_negative("rebuild_fraction", rebuild_fraction);
+    StepContext step = joints_step(world, h);
+    joints.check(step);
+  }
+  void detected(World& world, Real h) override;
+  void solve(World& world, Real h, int sweeps) override;
+  void integrate_positions(World& world, Real h) override;
+  void moved(World& world, Real h) override;
+  void done(World& world) override;
+  Solved solved() const override { return measured_.value_or(measure()); }
+
+ protected:
+  /// Writes the impulses so far, the depth and the state of the i-th contact.
+  void write_back(Contact& contact, std::size_t i) const;
+
+ private:
+  BundleRange<Scalar> bundles(std::size_t begin, std::size_t end);
+  template <class Act>
+  void each_body(const Act& act);
+  template <class Act>
+  Scalar each_bundle(const Act& act);
+  template <class Act>
+  Scalar set_by_set(const Act& act);
+  template <class Act>
+  Scalar largest_in(std::size_t begin, std::size_t end, const Act& act);
+  void sweep(StepContext& step, void (*friction_pass)(const BundleRange<Scalar>&));
+  void rebuild_rows();
+  void forget_impacts();
+  Solved measure() const;
+
+  Workers* at_work_ = &alone();  // in this step
+  ContactBundles<Scalar> packed_;
+  std::vector<Twist<Scalar>> velocities_, velocities_before_, displacements_, impulse_velocities_;  // of packed_.bodies
+  std::vector<Inertia<Scalar>> inertias_;                                                           // of the same
+  std::vector<EightVectors<Scalar>> start_impulses_;  // of packed_.contacts
+  std::vector<Scalar> largest_;                       // of each part of a pass: what it returned
+  std::optional<Solved> measured_;                    // before the impulses of an impact were forgotten
+  bool bouncy_ = false;                               // whether any contact is
+  bool something_floats_ = false;                     // whether any body that touches does
+  Real shortest_reach_ = 0;                           // m, of the bodies that move
+  std::vector<Vec3> guesses_;                         // N s, of each contact of the world
+};
+
+extern template class WideSolver<float>;  // compiled once, in wide_solver.cpp
+extern template class WideSolver<double>;
+extern template class WideSolver<float, SteadyJoints>;
+extern template class WideSolver<double, SteadyJoints>;
+
+}  // namespace pushback
