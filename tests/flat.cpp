@@ -67,7 +67,7 @@ Stepper by(const Settings& settings) {
 
 using RelaxedSolver = RelaxingSolver<Clamping, SoftContacts, Restitution, FrictionCone, WarmStart>;
 struct UnrelaxedSolver : RelaxedSolver {
-  void moved(World&, Real) override {}
+  void after_move(World&, Real) override {}
 };
 
 struct Chapter {
@@ -257,7 +257,8 @@ TEST_CASE("21: in every scene without joints, a step of the plain loop has the n
   CHECK(by_rounding < 30);
 }
 
-TEST_CASE("21: what arrives within a step of the plain loop leaves at its end with e times its speed, and by its impulse") {
+TEST_CASE(
+    "21: what arrives within a step of the plain loop leaves at its end with e times its speed, and by its impulse") {
   for (const Real e : {Real(0), Real(0.3), Real(0.8), Real(1)}) {
     for (const bool flat_landing : {false, true}) {
       if (flat_landing && e == 0) continue;  // one sweep per substep leaves a rebound

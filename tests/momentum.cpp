@@ -44,7 +44,7 @@ TEST_CASE("momentum: what is put on a body by hand acts for the whole step, howe
       World world;
       world.gravity.setZero();
       for (int i = 0; i < 4; ++i) world.add(random.moving_body(random.between(1, 10)).at({10 * Real(i), 0, 0}));
-      if (solver.holds_joints()) {  // motors: substeps move what they turn
+      if (solver.supports_joints()) {  // motors: substeps move what they turn
         const int wheel = world.add(sphere(Real(0.5), 1).at({100, 0, 0}).spinning({0, spin, 0}));
         world.joints.push_back(hinge(world, the_world, wheel, {100, 0, 0}, Vec3::UnitY()));
         world.joints.push_back(motor_at_speed(world, the_world, wheel, Vec3::UnitY(), spin, 10));
@@ -126,7 +126,7 @@ TEST_CASE("momentum: what has parted is listed with its impulse, and is no conta
 TEST_CASE("momentum: a hanging weight's joint bears its weight, whatever divides the step, with a limit or without") {
   const Real mass = 10;
   for (const Accounted& tried : all_tried()) {
-    if (!tried.solver.holds_joints()) continue;
+    if (!tried.solver.supports_joints()) continue;
     for (const bool limited : {false, true}) {
       for (const Real dt : {h, h / 4}) {
         INFO(tried.name << (limited ? ", with a limit, " : ", ") << dt << " s");
@@ -146,7 +146,7 @@ TEST_CASE("momentum: a hanging weight's joint bears its weight, whatever divides
 
 TEST_CASE("momentum: joints report what they gave, in a chain that whips and meets the ground") {
   for (const Accounted& tried : all_tried()) {
-    if (!tried.solver.holds_joints()) continue;
+    if (!tried.solver.supports_joints()) continue;
     INFO(tried.name);
     AnySolver solver = tried.solver;
     World world;

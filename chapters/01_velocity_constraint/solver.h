@@ -84,13 +84,13 @@ class SequentialImpulses : public StepSolver, public Effects... {
                 "an effect with the hook `update_geometry` derives from UpdatesGeometry and defines it");
 
  public:
-  bool holds_joints() const override { return (std::derived_from<Effects, HoldsJoints> || ...); }
+  bool supports_joints() const override { return (std::derived_from<Effects, SupportsJoints> || ...); }
   void check(World& world, Real dt) override {
     [[maybe_unused]] StepContext step{world, world.contacts, rows_, dt};
     (Effects::check(step), ...);
   }
-  Solved solved() const override {
-    Solved sum;
+  SolveStats stats() const override {
+    SolveStats sum;
     const auto add = [&sum](const auto& rows) {
       sum.rows += static_cast<int>(rows.size());
       for (const auto& row : rows) sum.residual = std::max(sum.residual, row.error());

@@ -31,7 +31,7 @@ class CorrectingSolver : public SequentialImpulses<Effects...> {
     CorrectingContext step = step_of(world, dt);
     this->solve_rows(step, sweeps);
   }
-  void moved(World& world, Real dt) override {
+  void after_move(World& world, Real dt) override {
     CorrectingContext step = step_of(world, dt);
     [[maybe_unused]] const auto correct = [&step]<class E>(E& effect) {
       if constexpr (std::derived_from<E, Corrects>) effect.correct(step);

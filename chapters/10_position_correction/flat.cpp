@@ -154,7 +154,7 @@ void FlatSolver::keep_impulses(Contacts& contacts) {
 
 /// 10: the bodies have moved, and velocities are what they are. The normals once more, for pseudo-velocities V' that begin
 /// at 0, move the bodies, and are forgotten.   J V' + b' = 0,   b' = (beta / h) min(0, C + h J V)
-void FlatSolver::moved(World& world, Real dt) {
+void FlatSolver::after_move(World& world, Real dt) {
   for (Row& row : normals_) {
     row.impulse = 0;
     row.bias = 0;

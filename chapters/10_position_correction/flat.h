@@ -35,7 +35,7 @@ class FlatSolver : public StepSolver {
   int rounds = 10;             ///< 10: sweeps over the pseudo-velocities
 
   void solve(World& world, Real dt, int sweeps) override;
-  void moved(World& world, Real dt) override;  ///< 10
+  void after_move(World& world, Real dt) override;  ///< 10
 
  private:
   void make_rows(World& world);

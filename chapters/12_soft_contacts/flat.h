@@ -39,7 +39,7 @@ class FlatSolver : public StepSolver {
   /// 11: so many substeps of one sweep in each step, and contacts are detected anew in every one.
   Plan plan(Real /*dt*/) const override { return {.detections = substeps, .sweeps = 1}; }
   void solve(World& world, Real dt, int sweeps) override;
-  void moved(World& world, Real dt) override;  ///< 12
+  void after_move(World& world, Real dt) override;  ///< 12
 
  private:
   void make_rows(World& world);

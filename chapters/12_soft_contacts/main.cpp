@@ -27,7 +27,7 @@ Real speed_out_of(const SoftContacts& spring, Real depth, Real h, Real seconds) 
 
 /// The spring without the relaxing pass.
 struct Unrelaxed : SoftSolver {
-  void moved(World&, Real) override {}
+  void after_move(World&, Real) override {}
 };
 
 /// Both edges of a mast that buckles, as far aside at its top as the column is.

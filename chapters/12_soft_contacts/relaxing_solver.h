@@ -44,7 +44,7 @@ class RelaxingSolver : public SequentialImpulses<Effects...> {
     RelaxingContext step = step_of(world, dt);
     this->solve_rows(step, sweeps);
   }
-  void moved(World& world, Real dt) override {
+  void after_move(World& world, Real dt) override {
     RelaxingContext step = step_of(world, dt);
     [[maybe_unused]] const auto relax = [&step]<class E>(E& effect) {
       if constexpr (std::derived_from<E, Relaxes>) effect.relax(step);

@@ -192,7 +192,7 @@ void FlatSolver::guess_impulses(World& world, Real dt) {
 
 /// 12: the push-out has moved the bodies. Its speed, if it stayed, would be energy fed in: so one more sweep with rows
 /// that are rigid, and do not push out.
-void FlatSolver::moved(World& world, Real dt) {
+void FlatSolver::after_move(World& world, Real dt) {
   for (Row& row : normals_) {
     carry(row);
     row.bias = row.bounce;

@@ -38,11 +38,11 @@ class FlatSolver : public StepSolver {
   Real fastest_push_out = 3;    ///< 12: m/s
   Real joint_beta = Real(0.2);  ///< 13: the fraction of a joint's C that one step removes
 
-  bool holds_joints() const override { return true; }  ///< 13
+  bool supports_joints() const override { return true; }  ///< 13
   /// 11: so many substeps of one sweep in each step, and contacts are detected anew in every one.
   Plan plan(Real /*dt*/) const override { return {.detections = substeps, .sweeps = 1}; }
   void solve(World& world, Real dt, int sweeps) override;
-  void moved(World& world, Real dt) override;  ///< 12
+  void after_move(World& world, Real dt) override;  ///< 12
 
  private:
   void make_rows(World& world);

@@ -13,7 +13,7 @@ namespace pushback {
 ///
 /// The rows are equalities, so C decays as (1 - beta)^k over k steps (chapter 03). With beta = 0 joints drift apart.
 /// A joint has no rows if each of its bodies is immovable or asleep.
-struct Joints : Effect, HoldsJoints, UpdatesGeometry {
+struct Joints : Effect, SupportsJoints, UpdatesGeometry {
   Real beta = Real(0.2);  ///< 0 ... 1: the fraction of C that one step removes
 
   /// Evaluates all equations before the step changes anything, because Joint::ask may throw.

@@ -131,7 +131,7 @@ class OnlyWhatIsNeeded {
   void fit(const World& world);
   /// `dt`: s. `sweeps`: in each substep; by default the number in the solver's plan.
   void step(World& world, Real dt, std::optional<int> sweeps = {});
-  Solved solved() const { return solver_.solved(); }
+  SolveStats stats() const { return solver_.stats(); }
   const Rows& rows() const { return solver_.rows(); }
   const JointRows& joint_rows() const { return solver_.joint_rows(); }
 

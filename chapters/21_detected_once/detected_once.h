@@ -25,7 +25,7 @@ class DetectedOnce : public SubsteppingSolver {
     joints.check(step);
   }
   /// Once per step: builds the rows and sets their initial impulses.
-  void detected(World& world, Real h) override {
+  void after_detection(World& world, Real h) override {
     measured_.reset();
     bodies_.clear();
     contacts_.clear();
@@ -61,7 +61,7 @@ class DetectedOnce : public SubsteppingSolver {
     joints.report(step);
   }
   /// In each substep, once the bodies have moved: updates displacements and rows, and makes the relaxing pass.
-  void moved(World& world, Real h) override {
+  void after_move(World& world, Real h) override {
     for (KeptBody& each : bodies_) {
       if (each.body->conveys) continue;
       each.way += h * each.body->velocity;
@@ -77,7 +77,7 @@ class DetectedOnce : public SubsteppingSolver {
     joints.report(step);
   }
   /// Once per step: stores the impulses in the contacts and removes the contacts that did not touch.
-  void done(World& world) override {
+  void end_detection(World& world) override {
     if (fastest_ > 0) measured_ = measure();  // before the impulses of an impact are discarded
     forget_impacts();
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
@@ -91,7 +91,7 @@ class DetectedOnce : public SubsteppingSolver {
     }
     std::erase_if(world.contacts, [](const Contact& c) { return c.depth < 0 && c.impulse.isZero(0); });
   }
-  Solved solved() const override { return measured_.value_or(measure()); }
+  SolveStats stats() const override { return measured_.value_or(measure()); }
 
  private:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
@@ -127,8 +127,8 @@ class DetectedOnce : public SubsteppingSolver {
     rows_solved += 2 * contacts_.size();
   }
 
-  Solved measure() const {
-    Solved all = solved_of(joints.joint_rows());
+  SolveStats measure() const {
+    SolveStats all = stats_of(joints.joint_rows());
     all.rows += 3 * static_cast<int>(contacts_.size());
     for (const KeptContact& contact : contacts_) all.residual = std::max(all.residual, contact.error());
     return all;
@@ -141,7 +141,7 @@ class DetectedOnce : public SubsteppingSolver {
     fastest_ = 0;
   }
 
-  std::optional<Solved> measured_;  // before the impulses of an impact were discarded
+  std::optional<SolveStats> measured_;  // before the impulses of an impact were discarded
   std::vector<KeptContact> contacts_;
   std::vector<KeptBody> bodies_;     // bodies with contacts
   std::vector<std::size_t> places_;  // index in bodies_ of each body of the world

@@ -80,7 +80,7 @@ void carry(Row& row) {
 }  // namespace
 
 /// 21: once per step, for all of its substeps.
-void FlatSolver::detected(World& world, Real dt) {
+void FlatSolver::after_detection(World& world, Real dt) {
   make_rows(world);
   guess_impulses(world, dt);
   sums_.assign(world.contacts.size(), Vec3::Zero());
@@ -161,7 +161,7 @@ void FlatSolver::guess_impulses(World& world, Real dt) {
 
 /// 12: the push-out has moved the bodies. Its speed, if it stayed, would be energy fed in: so one more sweep with rows
 /// that are rigid, and do not push out.
-void FlatSolver::moved(World& world, Real dt) {
+void FlatSolver::after_move(World& world, Real dt) {
   for (Row& row : normals_) {
     row.separation += dt * speed(row);  // 21: C = C_0 + J dX
     carry(row);
@@ -175,7 +175,7 @@ void FlatSolver::moved(World& world, Real dt) {
 }
 
 /// 21: once per step, after the substeps. Contacts that have stopped an approach bounce, and those that did not touch are removed.
-void FlatSolver::done(World& world) {
+void FlatSolver::end_detection(World& world) {
   Contacts& contacts = world.contacts;
   bool bounces = false;
   for (Row& row : normals_) {

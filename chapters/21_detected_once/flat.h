@@ -40,10 +40,10 @@ class FlatSolver : public StepSolver {
 
   /// 11: so many substeps of one sweep in each step. 21: contacts are detected once for all of them.
   Plan plan(Real dt) const override { return {.substeps = substeps, .sweeps = 1, .margin = {margin, dt}}; }
-  void detected(World& world, Real dt) override;  ///< 21
+  void after_detection(World& world, Real dt) override;  ///< 21
   void solve(World& world, Real dt, int sweeps) override;
-  void moved(World& world, Real dt) override;  ///< 12
-  void done(World& world) override;            ///< 21
+  void after_move(World& world, Real dt) override;  ///< 12
+  void end_detection(World& world) override;        ///< 21
 
  private:
   void make_rows(World& world);

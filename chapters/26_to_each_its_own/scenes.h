@@ -16,7 +16,7 @@ class Painted : public ForwardingSolver {
  public:
   IslandSolver by_island;
 
-  Solved solved() const override { return by_island.solved(); }
+  SolveStats stats() const override { return by_island.stats(); }
   Plan plan(Real /*dt*/) const override { return {}; }  // each island has its own plan
   void whole_step(World& world, Real dt, int sweeps) override {
     by_island.whole_step(world, dt, sweeps);

@@ -22,7 +22,7 @@ class Painted : public ForwardingSolver {
   IslandSolver within;
 
   explicit Painted(Real error) { within.error = error; }
-  Solved solved() const override { return within.solved(); }
+  SolveStats stats() const override { return within.stats(); }
   Plan plan(Real /*dt*/) const override { return {}; }  // each island has its own plan
   void whole_step(World& world, Real dt, int sweeps) override {
     within.whole_step(world, dt, sweeps);

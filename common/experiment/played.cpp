@@ -27,21 +27,21 @@ class Watched : public ForwardingSolver {
  public:
   Watched(AnySolver& solver, int substeps, Sample& sample)
       : solver_(solver), substeps_left_(substeps), sample_(sample) {}
-  void detected(World& world, Real h) override {
-    timed([&] { solver_.detected(world, h); });
+  void after_detection(World& world, Real h) override {
+    timed([&] { solver_.after_detection(world, h); });
   }
   void solve(World& world, Real h, int sweeps) override {
     timed([&] { solver_.solve(world, h, sweeps); });
     if (--substeps_left_ > 0) return;
-    const Solved solved = solver_.solved();
+    const SolveStats solved = solver_.stats();
     sample_.rows = solved.rows;
     sample_.residual = solved.residual;
   }
-  void moved(World& world, Real h) override {
-    timed([&] { solver_.moved(world, h); });
+  void after_move(World& world, Real h) override {
+    timed([&] { solver_.after_move(world, h); });
   }
-  void done(World& world) override {
-    timed([&] { solver_.done(world); });
+  void end_detection(World& world) override {
+    timed([&] { solver_.end_detection(world); });
   }
 
  private:
@@ -73,7 +73,7 @@ Sample Experiment::Played::step() {
     const auto begin = std::chrono::steady_clock::now();
     world.step(*solver_, dt, sweeps);
     sample.solver_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    const Solved solved = solver_->solved();
+    const SolveStats solved = solver_->stats();
     sample.rows = solved.rows;
     sample.residual = solved.residual;
   } else if (solver_) {

@@ -9,14 +9,14 @@ namespace pushback {
 class ForwardingSolver : public StepSolver {
  public:
   Plan plan(Real dt) const override { return inner().plan(dt); }
-  bool holds_joints() const override { return inner().holds_joints(); }
+  bool supports_joints() const override { return inner().supports_joints(); }
   void check(World& world, Real h) override { inner().check(world, h); }
-  void detected(World& world, Real h) override { inner().detected(world, h); }
+  void after_detection(World& world, Real h) override { inner().after_detection(world, h); }
   void solve(World& world, Real h, int sweeps) override { inner().solve(world, h, sweeps); }
   void integrate_positions(World& world, Real h) override { inner().integrate_positions(world, h); }
-  void moved(World& world, Real h) override { inner().moved(world, h); }
-  void done(World& world) override { inner().done(world); }
-  Solved solved() const override { return inner().solved(); }
+  void after_move(World& world, Real h) override { inner().after_move(world, h); }
+  void end_detection(World& world) override { inner().end_detection(world); }
+  SolveStats stats() const override { return inner().stats(); }
 
  protected:
   virtual StepSolver& inner() = 0;

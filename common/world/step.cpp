@@ -15,7 +15,7 @@ void StepSolver::whole_step(World& world, Real dt, int sweeps) {
 }
 
 void check_solvable(const World& world, const StepSolver& solver) {
-  if (!solver.holds_joints()) check_no_joints(world.joints);
+  if (!solver.supports_joints()) check_no_joints(world.joints);
 }
 
 ForcesOfSubsteps::ForcesOfSubsteps(const World& world, const Plan& plan) {

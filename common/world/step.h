@@ -33,7 +33,7 @@ void step_part(World& world, StepSolver& solver, const Plan& plan, const ForcesO
   solver.check(world, h);
   const bool solver_moves = plan.moves_bodies && !forces.turn_bodies(world) && world.joints.empty();
   detect(world, simulated, plan.margin);
-  solver.detected(world, h);
+  solver.after_detection(world, h);
   for (int i = 0; i < plan.substeps; ++i) {
     if (i > 0) forces.apply(world);
     integrate_velocities(world, h, simulated);
@@ -43,13 +43,13 @@ void step_part(World& world, StepSolver& solver, const Plan& plan, const ForcesO
     if (solver_moves) solver.integrate_positions(world, h);
     else simulated.each(world, [h](Body& body) { move(body, h); });  // 7.  x += h v,  q += h/2 (0, w) q,  refresh I^-1
     world.time += h;
-    solver.moved(world, h);  // 8.  only if the solver defines it
+    solver.after_move(world, h);  // 8.  only if the solver defines it
     world.dt_before = h;
   }
   if (solver_moves) simulated.each(world, [](Body& body) { body.refresh_inertia(); });
   if (plan.substeps == 1)
     for (Contact& contact : world.contacts) contact.last_impulse = contact.impulse;
-  solver.done(world);
+  solver.end_detection(world);
   world.last_impulses_known = true;
 }
 

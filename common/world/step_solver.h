@@ -20,13 +20,13 @@ struct Plan {
 };
 
 /// The number of rows of contacts and joints solved in the latest substep, and their largest residual, m/s.
-struct Solved {
+struct SolveStats {
   int rows = 0;
   Real residual = 0;
 };
 
-/// A solver for World::step. Each part of a step calls `check` and `detected` once, `solve` and `moved` in each of its substeps,
-/// and `done` at its end. The order is in step.h. Only `solve` has to be defined.
+/// A solver for World::step. Each part of a step calls `check` and `after_detection` once, `solve` and `after_move` in each of its
+/// substeps, and `end_detection` at its end. The order is in step.h. Only `solve` has to be defined.
 class StepSolver {
  public:
   StepSolver() = default;
@@ -39,29 +39,29 @@ class StepSolver {
   /// For a step of dt, s.
   virtual Plan plan(Real /*dt*/) const { return {}; }
   /// Whether the solver solves joints. If not, World::step refuses worlds with joints.
-  virtual bool holds_joints() const { return false; }
+  virtual bool supports_joints() const { return false; }
   /// Throws InvalidInput if the solver cannot use a setting or something in this world. Called before the detection of each part,
   /// whose substeps take h, s.
   virtual void check(World&, Real /*h*/) {}
   /// Called after the contacts have been detected.
-  virtual void detected(World&, Real /*h*/) {}
+  virtual void after_detection(World&, Real /*h*/) {}
   /// Changes the velocities of bodies, and writes Contact::impulse and Contact::state of this substep for each contact. A solver
-  /// with several substeps per detection may leave the writing to `done`.
+  /// with several substeps per detection may leave the writing to `end_detection`.
   virtual void solve(World& world, Real h, int sweeps) = 0;
   /// Moves all bodies by h v and h w, without refreshing their I^-1. Called only if the plan says `moves_bodies`, no
   /// force may turn a body, and there are no joints.
   virtual void integrate_positions(World& world, Real h);
   /// Called after the bodies have moved.
-  virtual void moved(World&, Real /*h*/) {}
-  /// Called after the last substep of a part. With several substeps per detection, `done` writes the impulse of the last substep to
-  /// Contact::last_impulse and the sum over all substeps to Contact::impulse. With one substep, the step has already copied `impulse`
-  /// to `last_impulse`. The step sums over the detections.
-  virtual void done(World&) {}
+  virtual void after_move(World&, Real /*h*/) {}
+  /// Called after the last substep of a part. With several substeps per detection, `end_detection` writes the impulse of the last
+  /// substep to Contact::last_impulse and the sum over all substeps to Contact::impulse. With one substep, the step has already
+  /// copied `impulse` to `last_impulse`. The step sums over the detections.
+  virtual void end_detection(World&) {}
   /// A whole step of World::step, whose arguments have not been checked yet. Solvers that divide a world or a step in their own way
   /// override it. The default follows the order in step.h, which calls the functions above.
   virtual void whole_step(World& world, Real dt, int sweeps);
   /// For the latest substep. A solver without rows need not override it.
-  virtual Solved solved() const { return {}; }
+  virtual SolveStats stats() const { return {}; }
 };
 
 /// Whether this solver overrides `whole_step`.
@@ -69,7 +69,7 @@ template <class ContactSolver>
 constexpr bool has_whole_step = !std::same_as<decltype(&ContactSolver::whole_step), decltype(&StepSolver::whole_step)>;
 
 /// An effect that solves joints derives from this.
-struct HoldsJoints {};
+struct SupportsJoints {};
 
 /// Throws InvalidInput if the world has joints and the solver does not solve joints.
 void check_solvable(const World& world, const StepSolver& solver);

@@ -11,7 +11,7 @@ namespace pushback {
 /// Rows of a loop may contradict each other: those of a cloth are more than its particles can follow. Solved exactly, such rows ask for
 /// any speed; swept, each gives way a little. So joints are shared out: all that hang together, by bodies that move, are
 /// solved by `trees` if there is one way from body to body, and by `loops` if there are two.
-struct DirectTreeJoints : Effect, HoldsJoints, UpdatesGeometry {
+struct DirectTreeJoints : Effect, SupportsJoints, UpdatesGeometry {
   Real beta = Joints{}.beta;  ///< of both
   SplitDirectJoints trees;
   SteadyJoints loops;

@@ -23,7 +23,7 @@ Plan HalfStep::plan(Real dt) const {
   return {.sweeps = 1, .margin = holds_contacts() ? KickDrift::margin(World::g, dt) : Margin{}};
 }
 
-void HalfStep::detected(World& world, Real /*h*/) {
+void HalfStep::after_detection(World& world, Real /*h*/) {
   if (holds_contacts()) return;
   const auto touches = [](const Contact& contact) { return contact.depth >= 0; };
   const auto found = std::find_if(world.contacts.begin(), world.contacts.end(), touches);
@@ -64,11 +64,11 @@ void HalfStep::solve(World& world, Real h, int /*sweeps*/) {
   if (!run(world, h)) throw InvalidInput(motion_.failure);
 }
 
-void HalfStep::done(World& world) {
+void HalfStep::end_detection(World& world) {
   if (!motion_.contact_free) motion_.contacts.report_sums(world);
 }
 
-void HalfStep::moved(World& world, Real /*h*/) {
+void HalfStep::after_move(World& world, Real /*h*/) {
   restore_states(world, states_);
 }
 
@@ -79,15 +79,15 @@ StepOutcome HalfStep::try_step(World& world, Real dt) {
   all_bodies.check(world);
   check(world, dt);
   detect(world, all_bodies, plan(dt).margin);
-  detected(world, dt);
+  after_detection(world, dt);
   integrate_velocities(world, dt, all_bodies);
   if (!run(world, dt)) return {.converged = false, .work = work()};
   all_bodies.each(world, [dt](Body& body) { move(body, dt); });
   world.time += dt;
-  moved(world, dt);
+  after_move(world, dt);
   world.dt_before = dt;
   for (Contact& contact : world.contacts) contact.last_impulse = contact.impulse;
-  done(world);
+  end_detection(world);
   world.last_impulses_known = true;
   return {.converged = true, .work = work()};
 }

@@ -42,16 +42,16 @@ class HalfStep : public StepSolver, public HalfStepSettings {
 
   using HalfStepSettings::check;
   Plan plan(Real dt) const override;
-  bool holds_joints() const override { return true; }
+  bool supports_joints() const override { return true; }
   void check(World& world, Real h) override;
-  void detected(World& world, Real h) override;
+  void after_detection(World& world, Real h) override;
   /// A step of h, with its own drift. `sweeps` do not matter. Throws InvalidInput if it does not converge; the bodies are then where they
   /// were.
   void solve(World& world, Real h, int sweeps) override;
-  void done(World& world) override;
+  void end_detection(World& world) override;
   /// World::step has moved the bodies, which `solve` left at rest at their new places. Gives them their velocities.
-  void moved(World& world, Real h) override;
-  Solved solved() const override { return {motion_.rows(), motion_.speed_error()}; }
+  void after_move(World& world, Real h) override;
+  SolveStats stats() const override { return {motion_.rows(), motion_.speed_error()}; }
 
   /// A step of dt, s, as World::step takes it. If it does not converge, bodies are where they were, but contacts and forces are not.
   StepOutcome try_step(World& world, Real dt);

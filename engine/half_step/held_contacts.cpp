@@ -88,7 +88,7 @@ void HeldContacts::add(const World& world, std::size_t contact, const Vec3& impu
             known_[contact].sum);
 }
 
-void HeldContacts::detected(const World& world) {
+void HeldContacts::after_detection(const World& world) {
   known_before_.swap(known_);
   known_.clear();
   auto old = known_before_.begin();

@@ -55,7 +55,7 @@ class HeldContacts {
   /// The first stage. False if it cannot be solved; `failure` says why.
   bool press(World& world, Real h);
   /// World::contacts are those where the bodies are now.
-  void detected(const World& world);
+  void after_detection(const World& world);
   /// The drift after the next `press` turns this contact of World::contacts in by `depth` m more than J and earlier calls account for.
   /// The press aims higher by that much.
   void bends(std::size_t contact, Real depth) { known_[contact].bends += depth; }

@@ -104,13 +104,13 @@ void KickDrift::detect_contacts(World& world, Real h) {
     for (const auto& [first, second] : near_pairs)
       collide(world.body(first), world.body(second), world.contacts, {.least = HeldContacts::touches});
   }
-  contacts.detected(world);
+  contacts.after_detection(world);
 }
 
 void KickDrift::look_ahead(World& world, Real h) {
   detected_ahead = true;
   world.find_contacts(margin(world.gravity.norm(), h));
-  contacts.detected(world);
+  contacts.after_detection(world);
   contacts.look(world);
 }
 

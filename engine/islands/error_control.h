@@ -50,8 +50,8 @@ class ErrorControl {
   /// Finds the half steps of an island. Sets `island.held` if the island has been moved.
   void control(IslandWorld& island, IslandMemory& memory, const IslandStep& step);
   /// RemainingBodies::step, again with more substeps if the error needs them.
-  Solved step_remaining(RemainingBodies& remaining, World& world, StepClassifier& classifier, Contacts& found,
-                        const SubstepPass& pass);
+  SolveStats step_remaining(RemainingBodies& remaining, World& world, StepClassifier& classifier, Contacts& found,
+                            const SubstepPass& pass);
   /// The parts in which a free body turns. Its position is exact in one.
   static int parts_of_flight(const Body& body, const IslandSettings& settings, Real dt);
   /// After a step.
@@ -93,7 +93,7 @@ class ErrorControl {
   Real difference(const Search& search);
   StepOutcome try_twice(Search& search);
   Real step_stiffly(RemainingBodies& remaining, World& world, const World& before, const StepClassifier& classifier,
-                    Contacts& found, const SubstepPass& pass, Solved& solved);
+                    Contacts& found, const SubstepPass& pass, SolveStats& solved);
   void find_meetings(const Contacts& found, const World& before, const World& after, StepClassifier& classifier,
                      const SubstepPass& pass);
   /// The error of substeps after this step, as a fraction of `error`. Errors are forgotten in a second, during which as much may be added.

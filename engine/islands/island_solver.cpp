@@ -171,7 +171,7 @@ void IslandSolver::fall_back(const World& world) {
   for (std::size_t i = 0; i < islands_.size(); ++i) {
     const IslandWorld& island = islands_[i];
     if (island.held) {
-      add_up(island.half_step.solved());
+      add_up(island.half_step.stats());
       continue;
     }
     for (const int body : island.bodies())
@@ -188,7 +188,7 @@ void IslandSolver::commit(World& world, Real dt) {
   errors_.end(classifier_, dt);
 }
 
-void IslandSolver::add_up(const Solved& solved) {
+void IslandSolver::add_up(const SolveStats& solved) {
   solved_ = {solved_.rows + solved.rows, std::max(solved_.residual, solved.residual)};
 }
 

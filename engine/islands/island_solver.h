@@ -38,7 +38,7 @@ class IslandSolver : public ForwardingSolver, public IslandSettings {
   /// Call by call: `substep_solver` only.
   void solve(World& world, Real h, int sweeps) override;
   /// Rows and residual of all islands together.
-  Solved solved() const override { return call_by_call_ ? inner().solved() : solved_; }
+  SolveStats stats() const override { return call_by_call_ ? inner().stats() : solved_; }
 
   // ---- of the latest step ---------------------------------------------------------------------------------------------
   /// How a body was moved: none for a body that the step did not know.
@@ -63,7 +63,7 @@ class IslandSolver : public ForwardingSolver, public IslandSettings {
   bool others_were_met(const World& world, Real dt);
   void fall_back(const World& world);
   void commit(World& world, Real dt);
-  void add_up(const Solved& solved);
+  void add_up(const SolveStats& solved);
 
   StepContacts contacts_;
   StepClassifier classifier_;
@@ -72,7 +72,7 @@ class IslandSolver : public ForwardingSolver, public IslandSettings {
   ErrorControl errors_;
   RemainingBodies remaining_;
   std::vector<IslandMemory> memory_;  // of each body that is the lowest of its island
-  Solved solved_;                     // of all islands so far
+  SolveStats solved_;                 // of all islands so far
   bool call_by_call_ = false;
 };
 

@@ -103,7 +103,8 @@ class RemainingBodies::Absence {
   const StepClassifier& classifier_;
 };
 
-Solved RemainingBodies::step(World& world, const StepClassifier& classifier, Contacts& found, const SubstepPass& pass) {
+SolveStats RemainingBodies::step(World& world, const StepClassifier& classifier, Contacts& found,
+                                 const SubstepPass& pass) {
   Remaining remaining{classifier, found};
   const auto contained = [&](const Body& body) { return remaining.contain(body); };
   if (std::none_of(world.bodies.begin(), world.bodies.end(), contained)) {
@@ -121,7 +122,7 @@ Solved RemainingBodies::step(World& world, const StepClassifier& classifier, Con
     const Absence absence(*this, world, classifier);
     pushback::step(world, pass.runner, plan, pass.dt, pass.sweeps, remaining);
   }
-  return pass.runner.solved();
+  return pass.runner.stats();
 }
 
 }  // namespace pushback

@@ -20,7 +20,7 @@ class RemainingBodies {
   /// Moves immovable bodies, and all that `classifier` leaves to substeps, by dt. Bodies that get another step stand still meanwhile, and
   /// their joints are not there. `found`: the contacts of this step, which are used up. Faster spins get more detections. Throws
   /// InvalidInput as World::step does.
-  Solved step(World& world, const StepClassifier& classifier, Contacts& found, const SubstepPass& pass);
+  SolveStats step(World& world, const StepClassifier& classifier, Contacts& found, const SubstepPass& pass);
 
  private:
   class Absence;  // of the joints and velocities of all other bodies

@@ -50,8 +50,8 @@ int ErrorControl::parts_of_flight(const Body& body, const IslandSettings& settin
 
 /// x += h v has an error of h / 2 times the change of v (chapter 24). That and the depth of contacts are known after a step. If they are
 /// too large, the step is taken again in more substeps: the first error falls with their number, the second with its square.
-Solved ErrorControl::step_remaining(RemainingBodies& remaining, World& world, StepClassifier& classifier,
-                                    Contacts& found, const SubstepPass& pass) {
+SolveStats ErrorControl::step_remaining(RemainingBodies& remaining, World& world, StepClassifier& classifier,
+                                        Contacts& found, const SubstepPass& pass) {
   WideSolver<Real>& solver = pass.solver;
   const IslandSettings& settings = pass.settings;
   const auto moves = [&](const Body& body) { return classifier.step_of(body.index) == StepType::substeps; };
@@ -63,7 +63,7 @@ Solved ErrorControl::step_remaining(RemainingBodies& remaining, World& world, St
   if (std::none_of(world.bodies.begin(), world.bodies.end(), moves)) return once();
   const World before = world;
   const Contacts all = found;
-  Solved solved;
+  SolveStats solved;
   const auto stiffly = [&] { return step_stiffly(remaining, world, before, classifier, found, pass, solved); };
   Real largest = stiffly();
   const Real off = substep_error(largest, settings.error);
@@ -84,7 +84,7 @@ Solved ErrorControl::step_remaining(RemainingBodies& remaining, World& world, St
 /// Returns the largest error of the step, m, and sets the errors of the bodies.
 Real ErrorControl::step_stiffly(RemainingBodies& remaining, World& world, const World& before,
                                 const StepClassifier& classifier, Contacts& found, const SubstepPass& pass,
-                                Solved& solved) {
+                                SolveStats& solved) {
   {
     const StiffSprings springs(pass.solver.spring);
     solved = remaining.step(world, classifier, found, pass);

@@ -52,7 +52,7 @@ struct SubsteppingSolver : StepSolver {
       std::numeric_limits<Real>::infinity();  ///< m/s; or until no pass changes a speed by more than that
   SoftContacts spring;                        ///< chapter 12's: hertz, damping ratio, fastest push-out
 
-  bool holds_joints() const override { return true; }
+  bool supports_joints() const override { return true; }
   void check(World& world, Real h) override {
     if (substeps < 1) throw InvalidInput(fmt::format("substeps is {}: a whole number, 1 or more, is needed", substeps));
     require_not_negative("reference_step", reference_step);
@@ -77,8 +77,8 @@ struct SubsteppingSolver : StepSolver {
   }
 
  protected:
-  static Solved solved_of(const JointRows& rows) {
-    Solved sum{static_cast<int>(rows.size()), 0};
+  static SolveStats stats_of(const JointRows& rows) {
+    SolveStats sum{static_cast<int>(rows.size()), 0};
     for (const JointRow& row : rows) sum.residual = std::max(sum.residual, row.error());
     return sum;
   }

@@ -18,7 +18,7 @@ Passes<Scalar> passes_of_this_processor(int lanes) {
 }
 
 template <class Scalar, class JointEffect>
-void WideSolver<Scalar, JointEffect>::detected(World& world, Real h) {
+void WideSolver<Scalar, JointEffect>::after_detection(World& world, Real h) {
   const FlushDenormals flush;
   at_work_ = &(workers ? *workers : alone()).of_bodies(world.bodies.size());
   measured_.reset();
@@ -130,7 +130,7 @@ void WideSolver<Scalar, JointEffect>::integrate_positions(World& world, Real h) 
 }
 
 template <class Scalar, class JointEffect>
-void WideSolver<Scalar, JointEffect>::moved(World& world, Real h) {
+void WideSolver<Scalar, JointEffect>::after_move(World& world, Real h) {
   const FlushDenormals flush;
   each_body([&](std::size_t i) {
     if (packed_.bodies[i]->conveys) return;
@@ -203,7 +203,7 @@ void WideSolver<Scalar, JointEffect>::forget_impacts() {
 }
 
 template <class Scalar, class JointEffect>
-void WideSolver<Scalar, JointEffect>::done(World& world) {
+void WideSolver<Scalar, JointEffect>::end_detection(World& world) {
   if (fastest_ > 0) measured_ = measure();  // an impact's impulses are about to be forgotten
   forget_impacts();
   at_work_->each(packed_.locations.size(), 256, [&](Part part) {
@@ -218,8 +218,8 @@ void WideSolver<Scalar, JointEffect>::write_back(Contact& contact, std::size_t i
 }
 
 template <class Scalar, class JointEffect>
-Solved WideSolver<Scalar, JointEffect>::measure() const {
-  Solved all = solved_of(joints.joint_rows());
+SolveStats WideSolver<Scalar, JointEffect>::measure() const {
+  SolveStats all = stats_of(joints.joint_rows());
   all.rows += 3 * static_cast<int>(packed_.locations.size());
   all.residual = std::max(all.residual, packed_.residual());
   return all;

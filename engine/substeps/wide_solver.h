@@ -49,12 +49,12 @@ class WideSolver : public SubsteppingSolver {
     StepContext step = joints_step(world, h);
     joints.check(step);
   }
-  void detected(World& world, Real h) override;
+  void after_detection(World& world, Real h) override;
   void solve(World& world, Real h, int sweeps) override;
   void integrate_positions(World& world, Real h) override;
-  void moved(World& world, Real h) override;
-  void done(World& world) override;
-  Solved solved() const override { return measured_.value_or(measure()); }
+  void after_move(World& world, Real h) override;
+  void end_detection(World& world) override;
+  SolveStats stats() const override { return measured_.value_or(measure()); }
 
  protected:
   /// Writes the impulses so far, the depth and the state of the i-th contact.
@@ -73,7 +73,7 @@ class WideSolver : public SubsteppingSolver {
   void sweep(StepContext& step, void (*friction_pass)(const BundleRange<Scalar>&));
   void rebuild_rows();
   void forget_impacts();
-  Solved measure() const;
+  SolveStats measure() const;
 
   Workers* at_work_ = &alone();  // in this step
   ContactBundles<Scalar> packed_;
@@ -81,7 +81,7 @@ class WideSolver : public SubsteppingSolver {
   std::vector<Inertia<Scalar>> inertias_;                                                           // of the same
   std::vector<EightVectors<Scalar>> start_impulses_;  // of packed_.contacts
   std::vector<Scalar> largest_;                       // of each part of a pass: what it returned
-  std::optional<Solved> measured_;                    // before the impulses of an impact were forgotten
+  std::optional<SolveStats> measured_;                // before the impulses of an impact were forgotten
   bool bouncy_ = false;                               // whether any contact is
   bool something_floats_ = false;                     // whether any body that touches does
   Real shortest_reach_ = 0;                           // m, of the bodies that move

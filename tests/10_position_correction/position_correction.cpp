@@ -120,7 +120,7 @@ TEMPLATE_TEST_CASE("10: a correction never pulls: what others lift off is let go
   step_without_correction(world, solver);
   REQUIRE(world.contacts.size() == 2);
   REQUIRE(world.contacts[0].impulse.norm() > 1);
-  solver.moved(world, h);
+  solver.after_move(world, h);
   const Real undone = 1 - std::pow(1 - solver.beta, static_cast<Real>(parts_taken(solver)));
   const Vec3 shift = world.bodies[1].position - place;
   CHECK((shift - undone * (deep - solver.slop) * slope).norm() <= 64 * eps);
@@ -153,7 +153,7 @@ TEMPLATE_TEST_CASE("10: the centre of mass of a free pair stays, and velocities 
     solver.most = 1;
     step_without_correction(world, solver);
     const std::vector<Body> before = world.bodies;
-    solver.moved(world, h);
+    solver.after_move(world, h);
     REQUIRE(same_velocities(before, world.bodies));
     Vec3 moved = Vec3::Zero();
     Real all = 0;
@@ -187,7 +187,7 @@ TEMPLATE_TEST_CASE("10: a correction turns a free pair as a whole by nothing", "
     const std::vector<Body> found = world.bodies;
     world.move(h);
     const std::vector<Body> before = world.bodies;
-    solver.moved(world, h);
+    solver.after_move(world, h);
     Vec3 turned = Vec3::Zero();
     Real size = 0;
     for (std::size_t k = 0; k < 2; ++k) {
@@ -217,7 +217,7 @@ TEMPLATE_TEST_CASE("10: born inside each other, boxes part slowly, keep unit ori
     for (int step = 0; step < 240; ++step) {
       step_without_correction(world, solver);
       const std::vector<Body> before = world.bodies;
-      solver.moved(world, h);
+      solver.after_move(world, h);
       REQUIRE(same_velocities(before, world.bodies));
       most = std::max(most, kinetic_energy(world));
       for (const Body& body : world.bodies) REQUIRE(std::abs(body.orientation.norm() - 1) <= 4 * eps);
@@ -257,7 +257,7 @@ TEST_CASE("10: enough rounds leave no overlap that collision would find") {
     solver.rounds = 200;
     solver.most = 10;
     solver.solve(world, h, 0);
-    solver.moved(world, h);
+    solver.after_move(world, h);
     world.find_contacts();
     CHECK(deepest_overlap(world) < before / 100);
   }

@@ -26,7 +26,7 @@ TEST_CASE("relaxing takes energy or leaves it, in every step of a heap without f
     solver.solve(world, dt, 1);
     world.move(dt);
     const Real before = kinetic_energy(world);
-    solver.moved(world, dt);
+    solver.after_move(world, dt);
     REQUIRE(kinetic_energy(world) <= before * (1 + 64 * eps));
     taken += before - kinetic_energy(world);
   }

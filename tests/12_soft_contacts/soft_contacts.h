@@ -13,7 +13,7 @@ namespace pushback {
 /// The springs without the pass that takes their push back.
 template <class... Effects>
 struct Unrelaxed : RelaxingSolver<Effects...> {
-  void moved(World&, Real) override {}
+  void after_move(World&, Real) override {}
 };
 
 /// Two boxes that overlap and turn, and nothing else: free.

@@ -306,6 +306,6 @@ TEST_CASE("a solver that holds no joints refuses a world that has some, and noth
   CHECK(complaint([&] { world.step(solver, h); }) ==
         "the world has a weld, and this solver holds no joints: one with the effect Joints is needed, such as "
         "JointedSolver or Recommended");
-  static_assert(std::derived_from<JointedSolver, HoldsJoints>);
+  static_assert(std::derived_from<JointedSolver, SupportsJoints>);
   CHECK(largest_speed(world) == 0);
 }

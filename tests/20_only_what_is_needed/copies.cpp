@@ -101,7 +101,7 @@ TEST_CASE("a copied world and its solver go on in the same bits, under every sol
   within.error = Real(1e-4);
   std::vector<std::pair<std::string, AnySolver>> all{{"within 0.1 mm", within}};
   for (const NamedSolver& named : all_solvers())
-    if (named.solver.holds_joints()) all.emplace_back(named.name, named.solver);
+    if (named.solver.supports_joints()) all.emplace_back(named.name, named.solver);
   for (const auto& [name, solver] : all) {
     INFO(name);
     CHECK(first_difference(struck, by(solver), 30, 15) == -1);

@@ -237,7 +237,7 @@ TEST_CASE("wide: joints are solved where they are, also after somebody has moved
 }
 
 TEST_CASE("wide: with chapter 14's joints, they move in the bits of chapter 21 where nothing touches") {
-  CHECK(WideSolver<Real>{}.holds_joints());  // as the refusal of joints says
+  CHECK(WideSolver<Real>{}.supports_joints());  // as the refusal of joints says
   World one_by_one, wide;
   for (World* world : {&one_by_one, &wide}) {
     world->add(box({Real(0.1), Real(0.3), Real(0.1)}, 1).at({0, 4, 0}));

@@ -106,7 +106,7 @@ TEST_CASE("half step: a resting contact bears half of the weight in each stage, 
     CHECK(world.contacts.size() == 4);
     CHECK(sum == Approx(10 * g * h).epsilon(in_double ? 1e-9 : 1e-3));
     for (const Contact& contact : world.contacts) CHECK(contact.state == ContactState::sticking);
-    CHECK(step.solved().rows == 12);
+    CHECK(step.stats().rows == 12);
   }
 }
 

@@ -26,14 +26,14 @@ struct Telltale : StepSolver {
   Plan its_plan{.detections = 2, .substeps = 3, .sweeps = 7, .margin = {Real(0.5), Real(0.25)}, .moves_bodies = true};
 
   Plan plan(Real /*dt*/) const override { return its_plan; }
-  bool holds_joints() const override { return true; }
+  bool supports_joints() const override { return true; }
   void check(World&, Real dt) override { note("check", dt); }
-  void detected(World&, Real dt) override { note("detected", dt); }
+  void after_detection(World&, Real dt) override { note("after_detection", dt); }
   void solve(World&, Real dt, int sweeps) override { note("solve " + std::to_string(sweeps), dt); }
   void integrate_positions(World&, Real dt) override { note("integrate positions", dt); }
-  void moved(World&, Real dt) override { note("moved", dt); }
-  void done(World&) override { calls->push_back("done"); }
-  Solved solved() const override { return {11, 13}; }
+  void after_move(World&, Real dt) override { note("after_move", dt); }
+  void end_detection(World&) override { calls->push_back("end_detection"); }
+  SolveStats stats() const override { return {11, 13}; }
 
  private:
   void note(const std::string& what, Real dt) { calls->push_back(fmt::format("{}, 1/{:g} s", what, 1 / dt)); }
@@ -51,7 +51,7 @@ std::vector<std::string> calls_of_a_step() {
     calls.insert(calls.end(), {"check, 1/360 s", "detected, 1/360 s"});
     for (int substep = 0; substep < 3; ++substep)
       calls.insert(calls.end(), {"solve 7, 1/360 s", "integrate positions, 1/360 s", "moved, 1/360 s"});
-    calls.push_back("done");
+    calls.push_back("end_detection");
   }
   return calls;
 }
@@ -90,7 +90,7 @@ struct CorrectUnnamed : Effect {
 };
 struct GeometryMisspelt : Effect, UpdatesGeometry {
   void build(StepContext&) {}
-  void moved(StepContext&) {}
+  void after_move(StepContext&) {}
 };
 struct GeometryUnnamed : Effect {
   void update_geometry(StepContext&) {}
@@ -127,8 +127,8 @@ TEST_CASE("contract: what is around a solver hands everything on") {
   World world = falling_ball();
   const auto check = [&](StepSolver& around) {
     CHECK(same_plan(around));
-    CHECK(around.holds_joints());
-    CHECK((around.solved().rows == 11 && around.solved().residual == 13));
+    CHECK(around.supports_joints());
+    CHECK((around.stats().rows == 11 && around.stats().residual == 13));
     told.calls->clear();
     world.step(around, h);
     CHECK(*told.calls == calls_of_a_step());
@@ -220,8 +220,8 @@ TEST_CASE("contract: every solver with rows counts them") {
     AnySolver solver = named.solver;
     World world = at_work(solver);
     const auto contacts = static_cast<int>(world.contacts.size());
-    CHECK(solver.solved().rows >= contacts);
-    CHECK(solver.solved().rows <= 3 * contacts + 36);  // of those that were near, and did not touch
+    CHECK(solver.stats().rows >= contacts);
+    CHECK(solver.stats().rows <= 3 * contacts + 36);  // of those that were near, and did not touch
   }
 }
 
@@ -236,7 +236,7 @@ TEST_CASE("contract: the residual is what the sweeps leave") {
       AnySolver its_solver = solver;
       World its_world = world;
       its_world.step(its_solver, h, sweeps);
-      residuals.push_back(its_solver.solved().residual);
+      residuals.push_back(its_solver.stats().residual);
     }
     CHECK(residuals[0] > 1e-3);
     if (solver.plan(h).all_substeps() == 1) CHECK(residuals[1] > residuals[2]);  // no relaxing sweep follows
@@ -257,8 +257,8 @@ TEST_CASE("contract: rows that are solved eight at a time have the residual of t
     other = world;
     world.step(one_by_one, h);
     other.step(wide, h);
-    CHECK(one_by_one.solved().rows == wide.solved().rows);
-    const Real one = one_by_one.solved().residual, eight = wide.solved().residual;
+    CHECK(one_by_one.stats().rows == wide.stats().rows);
+    const Real one = one_by_one.stats().residual, eight = wide.stats().residual;
     CHECK(eight < 10 * one + 1e-9);  // in another order
     CHECK(one < 10 * eight + 1e-9);
     largest = std::max(largest, eight);

@@ -394,7 +394,7 @@ namespace {
 using Hanging = Solver<DirectJoints>;                                                   // one sweep is all
 using Touching = Solver<Clamping, Baumgarte, Slop, Friction, WarmStart, DirectJoints>;  // last: the last word
 
-static_assert(std::derived_from<Hanging, HoldsJoints> && std::derived_from<Touching, HoldsJoints>);
+static_assert(std::derived_from<Hanging, SupportsJoints> && std::derived_from<Touching, SupportsJoints>);
 
 }  // namespace
 

@@ -36,7 +36,7 @@ class FrozenPyramid {
   [[gnu::noinline]] double seconds(ContactSolver& solver, int sweeps = 10) {
     const auto solve = [&] {
       solver.solve(world, dt_, sweeps);
-      solver.moved(world, dt_);
+      solver.after_move(world, dt_);
     };
     put_back();
     solve();

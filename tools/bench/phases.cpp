@@ -25,17 +25,17 @@ void within(Phase phase, const Act& act) {
 
 template <class Full>
 struct Timed : Full {
-  void detected(World& world, Real h) override {
-    within(rows, [&] { Full::detected(world, h); });
+  void after_detection(World& world, Real h) override {
+    within(rows, [&] { Full::after_detection(world, h); });
   }
   void solve(World& world, Real h, int sweeps) override {
     within(substeps_before, [&] { Full::solve(world, h, sweeps); });
   }
-  void moved(World& world, Real h) override {
-    within(relaxing, [&] { Full::moved(world, h); });
+  void after_move(World& world, Real h) override {
+    within(relaxing, [&] { Full::after_move(world, h); });
   }
-  void done(World& world) override {
-    within(end, [&] { Full::done(world); });
+  void end_detection(World& world) override {
+    within(end, [&] { Full::end_detection(world); });
   }
 };
 struct AllBodiesTimed : AllBodies {

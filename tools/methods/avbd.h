@@ -31,7 +31,7 @@ class Avbd : public StepSolver {
   static constexpr Real margin = Real(0.01);        ///< m: contacts are detected so far ahead, and by the way of a step
 
   Plan plan(Real h) const override { return {.sweeps = 10, .margin = {.least = margin, .ahead = h}}; }
-  bool holds_joints() const override { return true; }
+  bool supports_joints() const override { return true; }
   /// Throws InvalidInput where a joint asks for more than C(x) = 0: a bias, softness, or bounds.
   void check(World& world, Real h) override;
   void solve(World& world, Real h, int sweeps) override;

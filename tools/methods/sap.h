@@ -30,7 +30,7 @@ class Sap : public StepSolver {
   static constexpr int most_steps = 100;      ///< of Newton's method
 
   Plan plan(Real h) const override { return {.sweeps = 1, .margin = {.least = margin, .ahead = h + tau(h)}}; }
-  bool holds_joints() const override { return true; }
+  bool supports_joints() const override { return true; }
   /// Throws InvalidInput where the period cannot be used.
   void check(World& world, Real h) override;
   void solve(World& world, Real h, int sweeps) override;

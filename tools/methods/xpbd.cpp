@@ -66,8 +66,8 @@ void Xpbd::whole_step(World& world, Real dt, int sweeps) {
     solve(world, h, sweeps);
     world.move(h);
     all_bodies.find_contacts(world, its_plan.margin);
-    detected(world, h);
-    moved(world, h);
+    after_detection(world, h);
+    after_move(world, h);
     for (Contact& contact : world.contacts) contact.last_impulse = contact.impulse;
     world.last_impulses_known = true;
     sums.add(world);
@@ -75,7 +75,7 @@ void Xpbd::whole_step(World& world, Real dt, int sweeps) {
   sums.write_to(world);
 }
 
-void Xpbd::detected(World& world, Real) {
+void Xpbd::after_detection(World& world, Real) {
   touching_.clear();
   for (std::size_t i = 0; i < world.contacts.size(); ++i) {
     const Contact& at = world.contacts[i];
@@ -161,7 +161,7 @@ void Xpbd::settle(Touch& at, Real h) {
   ++rows_solved;
 }
 
-void Xpbd::moved(World& world, Real h) {
+void Xpbd::after_move(World& world, Real h) {
   keep(world, moved_to_);
   for (Touch& at : touching_) {
     at.from_a = start_[static_cast<std::size_t>(at.row.a->index)].point_of(at.on.on_a);

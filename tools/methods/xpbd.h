@@ -31,15 +31,15 @@ class Xpbd : public StepSolver {
   static constexpr Real margin = Real(0.01);
 
   Plan plan(Real /*dt*/) const override { return {.detections = substeps, .sweeps = 1, .margin = {.least = margin}}; }
-  bool holds_joints() const override { return true; }
+  bool supports_joints() const override { return true; }
   /// Throws InvalidInput where a joint asks for more than C(x) = 0: a bias, softness, or bounds.
   void check(World& world, Real h) override;
   /// The order of the method: contacts are detected after the bodies have moved. (Whoever calls the functions below in the order of
   /// step.h, as one with Sleep does, has them detected before.)
   void whole_step(World& world, Real dt, int sweeps) override;
-  void detected(World& world, Real h) override;
+  void after_detection(World& world, Real h) override;
   void solve(World& world, Real h, int sweeps) override;  ///< remembers where bodies start from
-  void moved(World& world, Real h) override;              ///< corrects positions, and makes velocities of that
+  void after_move(World& world, Real h) override;         ///< corrects positions, and makes velocities of that
 
  private:
   struct Touch {

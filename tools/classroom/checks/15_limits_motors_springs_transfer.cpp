@@ -7,7 +7,7 @@ namespace {
 
 constexpr Real strength = 100;  // N
 
-struct Held : AnyEffect, HoldsJoints {};
+struct Held : AnyEffect, SupportsJoints {};
 
 /// Balls without weight, each on a rod of its own from the immovable world.
 struct Rods {

@@ -106,7 +106,8 @@ const std::vector<ChapterOfMine>& chapters_of_mine() {
       {10,
        "overlap, undone without a speed",
        {"Begin from the solver of chapter 08. b is the bounce alone, or 0; each row keeps C = min(0, −depth + slop).",
-        "moved(world, dt) is called once the bodies have moved. b' = max(0.2 min(0, C + h J V), −0.05 m)/h where C < "
+        "after_move(world, dt) is called once the bodies have moved. b' = max(0.2 min(0, C + h J V), −0.05 m)/h where "
+        "C < "
         "0, 0 elsewhere. Set all velocities aside and to 0, all sums to 0, and sweep the normals ten times with b'.",
         "Then x += h v', and q += h/2 (0, w') q, normalised, with refresh_inertia(). Put the velocities back."}},
       {11,
@@ -121,11 +122,12 @@ const std::vector<ChapterOfMine>& chapters_of_mine() {
         "= 5.",
         "A normal with depth > 0 that does not bounce gets b = −rate · depth, γ = γ/K · K and 1/(K + γ). Where b would "
         "be below −3 m/s: b = −3 m/s, without γ. A row solves J V + b + γ Σλ = 0.",
-        "moved(world, dt): carry every row, tangents too, to where the bodies are (their arms, M⁻¹ Jᵀ, K, the steps of "
+        "after_move(world, dt): carry every row, tangents too, to where the bodies are (their arms, M⁻¹ Jᵀ, K, the "
+        "steps of "
         "the tangents); b is the bounce alone, γ = 0; one sweep more, and keep the impulses again."}},
       {13,
        "joints: rows that pull, too",
-       {"holds_joints() returns true. For each joint of world.joints: joint.ask(a, b, {world.time, dt}, equations), "
+       {"supports_joints() returns true. For each joint of world.joints: joint.ask(a, b, {world.time, dt}, equations), "
         "with world.body(joint.a) and world.body(joint.b), which also knows the_world.",
         "A row for each equation: its Jacobian, b = bias + 0.2/dt · error, γ = softness, 1/(K + γ), limits dt · lo and "
         "dt · hi. Where n is 0, K has no 1/m. Solve these rows after the normals in each sweep.",
@@ -145,7 +147,8 @@ const std::vector<ChapterOfMine>& chapters_of_mine() {
        "contacts detected once, and followed through 32 substeps",
        {"Begin from the solver of chapter 12. Plan: .substeps = 32, .sweeps = 1, .margin = {0.02, dt}. Make the rows "
         "and "
-        "the initial guess in detected(world, h), once per step; there also b of the bounce, e J V if J V < −0.1 m/s. "
+        "the initial guess in after_detection(world, h), once per step; there also b of the bounce, e J V if J V < "
+        "−0.1 m/s. "
         "solve starts each row from the impulse that it has, and applies it to the bodies.",
         "The guess, within the friction cone of the new normal: pushed = max(0, impulse · n), and the part along the "
         "surface is at most μ pushed.",

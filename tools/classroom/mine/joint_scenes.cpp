@@ -112,7 +112,7 @@ struct Pendulum {
   }
   Numbers operator()(Random& random, const WholeSolver& answer) const {
     const auto solver = answer.make();
-    if (!solver->holds_joints()) return {0, 0, 0};
+    if (!solver->supports_joints()) return {0, 0, 0};
     World world;
     Body ball = sphere(Real(0.2), random.over_decades(1, 10));
     world.add(ball.at({random.between(Real(0.7), 1), random.between(Real(-0.5), Real(0.5)), 0}));

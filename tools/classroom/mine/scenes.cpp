@@ -178,7 +178,7 @@ std::vector<CheckOfChapter> checks_of_the_trunk() {
 
 std::vector<CheckOfChapter> made() {
   std::vector<CheckOfChapter> made = checks_of_the_trunk();
-  // 21 tells its impulses in `done`, once the bodies have moved: these scenes end with `solve`.
+  // 21 tells its impulses in `end_detection`, once the bodies have moved: these scenes end with `solve`.
   for (CheckOfChapter& before : made) before.ends.push_back(21);
   for (const auto& later : {checks_of_later_contacts(), checks_of_joints(), checks_of_detected_once()})
     made.insert(made.end(), later.begin(), later.end());

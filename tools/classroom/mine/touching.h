@@ -54,14 +54,14 @@ struct Touching {
   /// With `moves` all of a substep: the bodies move in it, and the solver may change what it did.
   void solve(StepSolver& solver, int sweeps, bool moves = false) {
     solver.check(world, h);
-    solver.detected(world, h);
+    solver.after_detection(world, h);
     solver.solve(world, h, sweeps);
     if (moves) {
       for (Body& body : world.bodies) move(body, h);
       world.time += h;
-      solver.moved(world, h);
+      solver.after_move(world, h);
     }
-    solver.done(world);
+    solver.end_detection(world);
   }
   /// The next step, of which these contacts are found.
   void next(Real its_h, Contacts found) {

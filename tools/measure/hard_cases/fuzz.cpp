@@ -57,9 +57,9 @@ class Felt : public ForwardingSolver {
     watcher_.feel(world);
     before_ = world.bodies;
   }
-  void moved(World& world, Real h) override {
+  void after_move(World& world, Real h) override {
     if (broken.empty()) broken = flown(world);
-    solver_.moved(world, h);
+    solver_.after_move(world, h);
   }
   std::string broken;
 
@@ -144,8 +144,8 @@ struct FeltWhole : Full {
     Full::solve(world, h, sweeps);
     feel(world);
   }
-  void moved(World& world, Real h) override {
-    Full::moved(world, h);
+  void after_move(World& world, Real h) override {
+    Full::after_move(world, h);
     feel(world);
   }
 

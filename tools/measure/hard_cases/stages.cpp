@@ -29,7 +29,7 @@ class CallByCall : public ForwardingSolver {
 class Doubled : public CallByCall {
  public:
   using CallByCall::CallByCall;
-  void detected(World& world, Real h) override {
+  void after_detection(World& world, Real h) override {
     if (plan(Real(1) / 60).substeps > 1)
       for (Contact& contact : twice_) contact.impulse = contact.last_impulse;
     world.contacts_before = twice_;
@@ -40,20 +40,20 @@ class Doubled : public CallByCall {
         twice_.back().id.feature = 2 * contact.id.feature + copy;
       }
     }
-    with_each_twice(world, [&] { solver_.detected(world, h); });
+    with_each_twice(world, [&] { solver_.after_detection(world, h); });
   }
   void solve(World& world, Real h, int sweeps) override {
     with_each_twice(world, [&] { solver_.solve(world, h, sweeps); });
   }
-  void moved(World& world, Real h) override {
-    with_each_twice(world, [&] { solver_.moved(world, h); });
+  void after_move(World& world, Real h) override {
+    with_each_twice(world, [&] { solver_.after_move(world, h); });
   }
   /// A contact stays as long as one of its copies does.
-  void done(World& world) override {
+  void end_detection(World& world) override {
     if (plan(Real(1) / 60).substeps == 1)
       for (Contact& contact : twice_) contact.last_impulse = contact.impulse;
     world.contacts.swap(twice_);
-    solver_.done(world);
+    solver_.end_detection(world);
     world.contacts.swap(twice_);
     auto copy = twice_.begin();  // both lists ascend
     std::erase_if(world.contacts, [&](Contact& contact) {

@@ -55,7 +55,7 @@ class EngineSolver : public StepSolver {
   EngineSolver& operator=(const EngineSolver&) = delete;
 
   Plan plan(Real) const override { return {.detections = setting_.substeps, .substeps = setting_.own_substeps}; }
-  bool holds_joints() const override { return true; }
+  bool supports_joints() const override { return true; }
   /// Call by call: throws, as an engine finds contacts by itself and cannot be given any.
   void check(World& world, Real h) override;
   void solve(World& world, Real h, int /*sweeps*/) override { check(world, h); }

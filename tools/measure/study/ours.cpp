@@ -37,7 +37,7 @@ Method method(const std::string& name, const std::string& title) {
           .title = title,
           .plays =
               [](const Motion& motion) {
-                return motion.pins.empty() == !std::derived_from<ContactSolver, HoldsJoints> &&
+                return motion.pins.empty() == !std::derived_from<ContactSolver, SupportsJoints> &&
                        has_contacts(motion) == std::derived_from<ContactSolver, Clamping>;
               },
           .begin = by_ours(solver, {.counts_rows = !solves_systems})};

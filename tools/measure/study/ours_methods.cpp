@@ -16,7 +16,7 @@ Method method(const std::string& name, const std::string& title) {
   return {.name = name,
           .title = title,
           .plays =
-              [holds = solver.holds_joints()](const Motion& motion) {
+              [holds = solver.supports_joints()](const Motion& motion) {
                 return (motion.pins.empty() || holds) && (bounces || !has_bounces(motion));
               },
           .begin =

@@ -40,12 +40,13 @@ int main(int argc, char** argv) {
   try {
     if (!library) throw InvalidInput("PUSHBACK_MINE is not set: the name of a library is needed");
     const AnySolver solver = loaded_solver(library);
-    methods.push_back({.name = "mine",
-                       .title = "your own",
-                       .plays = [solver](const Motion& motion) { return motion.pins.empty() || solver.holds_joints(); },
-                       .begin = [solver](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
-                         return std::make_unique<Mine>(motion, setting, solver, Stepping{.counts_rows = false});
-                       }});
+    methods.push_back(
+        {.name = "mine",
+         .title = "your own",
+         .plays = [solver](const Motion& motion) { return motion.pins.empty() || solver.supports_joints(); },
+         .begin = [solver](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
+           return std::make_unique<Mine>(motion, setting, solver, Stepping{.counts_rows = false});
+         }});
   } catch (const InvalidInput& problem) {
     fmt::print(stderr, "{}\n", problem.what());
     return 2;
