@@ -203,3 +203,16 @@ TEST_CASE("every figure on a page that names its cell of the table is that cell'
   for (const char* words : {"cases in words", "cases with joints in words", "motions in words", "passes", "fails"})
     CHECK(seen[words] >= 1);
 }
+
+TEST_CASE("the figure of the front page has a bar for each count, as high as it says, from the tables") {
+  const std::string figure = text_of("docs/figures/hard_cases.svg");
+  static const std::regex bar(R"re(height="(\d+)" fill="#\w+"/><text id="([^"]+)"[^>]*>(\d+)</text>)re");
+  int bars = 0;
+  for (std::sregex_iterator at(figure.begin(), figure.end(), bar), end; at != end; ++at, ++bars) {
+    INFO((*at)[2]);
+    CHECK((*at)[3] == figure_of(parts_of((*at)[2])));
+    CHECK(std::stoi((*at)[1]) == 3 * std::stoi((*at)[3]));
+  }
+  CHECK(bars == 24);
+  CHECK(contains(figure, fmt::format(">How many of {} hard cases pass<", hard_cases().size())));
+}

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# A program of one's own, as README.md describes it: another project that takes this one in, in each of three ways, compiles
-# the README's program with more warnings as errors than are on here. Nothing but the libraries may come along.
+# Programs of one's own, as README.md and docs/your_own_scene.md show them: another project that takes this one in, in each of three
+# ways, compiles them with more warnings as errors than are on here. Nothing but the libraries may come along.
 #   tests/project/own_project.sh BUILD [COMPILER [LAUNCHER]]     BUILD: where this project has been built
 # Installed, component by component, programs are linked and run. Of the ways that compile the libraries anew only the program's own object is made:
 # what they are built with is looked at instead.
@@ -15,8 +15,10 @@ way=
 wrong() { echo "own_project, by $way: $*"; exit 1; }
 
 ln -s "$root" pushback
-awk '/^```cpp$/ { shown = 1; next } /^```$/ { shown = 0 } shown' pushback/README.md >main.cpp
-grep -q '^int main' main.cpp || wrong "README.md shows no program"
+shown_in() { awk '/^```cpp$/ { shown = 1; next } /^```$/ { shown = 0 } shown' "pushback/$1"; }
+shown_in docs/your_own_scene.md >main.cpp
+simulation=$(shown_in README.md)
+for program in "$(<main.cpp)" "$simulation"; do [[ $program == *$'\nint main'* ]] || wrong "README.md or docs/your_own_scene.md shows no program"; done
 # ccache may take objects from an earlier run, whose folder had another name. Not by the names of headers: behind the link
 # they stay the same while their contents change.
 export CCACHE_BASEDIR=$scratch CCACHE_NOHASHDIR=1 CCACHE_NODIRECT=1
@@ -59,10 +61,10 @@ sources() {  # sources LINE...: the libraries come along, and no test, option or
   ninja -C "$way/build" CMakeFiles/my_program.dir/main.cpp.o >log 2>&1 || { cat log; wrong "its program cannot be compiled"; }
 }
 
-ways=$(sed -n '/^```cmake$/,/^```$/ { /^```/d; p }' pushback/README.md)  # of README.md: a line each, then the one that links
+ways=$(sed -n '/^```cmake$/,/^```$/ { /^```/d; p }' pushback/docs/your_own_scene.md)  # a line each, then the one that links
 link=$(tail -n 1 <<<"$ways")
 [[ $(wc -l <<<"$ways") == 4 && $link == "target_link_libraries(my_program pushback::pushback pushback::engine pushback::choosing)" ]] ||
-  wrong "README.md should show three lines of CMake and one that links, but these were found: $ways"
+  wrong "docs/your_own_scene.md should show three lines of CMake and one that links, but these were found: $ways"
 
 nothing_drawn=(-DCMAKE_DISABLE_FIND_PACKAGE_{CLI11,PkgConfig,OpenGL,Threads}"=ON")
 libraries="libaccuracy_and_time.a libchoosing.a libthread_pool.a libdirect_contacts.a libengine.a libonly_what_is_needed.a libpushback.a libpushback_program.a libpushback_render.a libpushback_simulation.a libpushback_simulation_float.a libwhole_problem.a"
@@ -73,15 +75,6 @@ sources "include(FetchContent)" "FetchContent_Declare(pushback SOURCE_DIR $scrat
   "$(grep -o '^FetchContent_MakeAvailable([^)]*)' <<<"$ways")" "$link"
 way="add_subdirectory without pictures"
 libraries="libaccuracy_and_time.a libdirect_contacts.a libengine.a libonly_what_is_needed.a libpushback_simulation.a libpushback_simulation_float.a libwhole_problem.a" options=("${nothing_drawn[@]}")
-simulation=$'#include "pushback/engine/presets.h"
-#include "pushback/common/world/situations.h"
-int main() {
-  pushback::World world;
-  pushback::stack(world, 3);
-  pushback::Recommended solver;
-  for (int i = 0; i < 60; ++i) world.step(solver, pushback::Real(1) / 60);
-  return world.bodies[3].position.y() > 2 ? 0 : 1;
-}'
 mkdir "$way"
 echo "$simulation" >"$way/main.cpp"
 sources "set(PUSHBACK_PICTURES OFF)" "add_subdirectory($scratch/pushback pushback)" \
@@ -106,7 +99,7 @@ mkdir "component simulation"
 echo "$simulation" >"component simulation/main.cpp"
 installed simulation "find_package(Pushback 0.1 REQUIRED COMPONENTS simulation)" \
   "target_link_libraries(my_program pushback::pushback_simulation pushback::engine)"
-"$way/build/my_program" || wrong "a stack of three does not stand"
+[[ $("$way/build/my_program") == "The top box is at 9.5000 m." ]] || wrong "a stack of ten does not stand"
 ! grep -rq . --include=judge.h --include=answer_program.h "$way/prefix" || wrong "exercises are installed with it"
 refused "its component experiment is not installed" "find_package(Pushback REQUIRED COMPONENTS experiment)"
 refused "its component pictures is not installed" "find_package(Pushback REQUIRED COMPONENTS pictures)"

@@ -1,12 +1,15 @@
-/// The program that the README offers as a beginning: it is the one that is compiled here, it runs, and its bodies
-/// fall, slide and stack.
+/// The programs that README.md and docs/your_own_scene.md offer as a beginning: they are those that are compiled here, they run,
+/// and their bodies fall, slide and stack.
 #include <algorithm>
 
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/common/world/situations.h"
 #include "tests/support/call.h"
 
-/// The program, and the root of the sources, both as seen from the working directory of the tests.
+/// The programs, and the root of the sources, as seen from the working directory of the tests.
+#ifndef SMALLEST_PROGRAM
+#define SMALLEST_PROGRAM "build/release/tests/smallest_program"
+#endif
 #ifndef STUDENT_PROGRAM
 #define STUDENT_PROGRAM "build/release/tests/student_program"
 #endif
@@ -16,27 +19,42 @@
 
 using namespace pushback;
 
-TEST_CASE("README.md shows the program that is tested here, line by line") {
-  const std::vector<std::string> program =
-      lines_of(text_of(fs::path(SOURCE_DIR) / "tests/project/student_program.cpp"));
-  const auto begin = std::find(program.begin(), program.end(), "// README begins");
-  const auto end = std::find(program.begin(), program.end(), "// README ends");
+namespace {
+
+/// Whether the page shows the program's lines between its two marks.
+bool shows(const std::string& page, const std::string& source) {
+  const std::vector<std::string> program = lines_of(text_of(fs::path(SOURCE_DIR) / source));
+  const auto begin = std::ranges::find(program, "// page begins"), end = std::ranges::find(program, "// page ends");
   REQUIRE(begin < end);
   std::vector<std::string> shown{"```cpp"};
   shown.insert(shown.end(), begin + 1, end);
   shown.push_back("```");
-  const std::vector<std::string> readme = lines_of(text_of(fs::path(SOURCE_DIR) / "README.md"));
-  CHECK(std::search(readme.begin(), readme.end(), shown.begin(), shown.end()) != readme.end());
+  const std::vector<std::string> lines = lines_of(text_of(fs::path(SOURCE_DIR) / page));
+  return std::ranges::search(lines, shown).begin() != lines.end();
 }
 
-TEST_CASE("the README's program runs and leaves its numbers behind") {
+}  // namespace
+
+TEST_CASE("README.md and docs/your_own_scene.md show the programs that are tested here, line by line") {
+  CHECK(shows("README.md", "tests/project/smallest_program.cpp"));
+  CHECK(shows("docs/your_own_scene.md", "tests/project/student_program.cpp"));
+}
+
+TEST_CASE("the smallest program prints what README.md says") {
+  const Ended call = call_program(SMALLEST_PROGRAM, "");
+  CHECK(call.status == 0);
+  CHECK(call.out == "The top box is at 9.5000 m.\n");
+  CHECK(contains(text_of(fs::path(SOURCE_DIR) / "README.md"), "`" + lines_of(call.out)[0] + "`"));
+}
+
+TEST_CASE("the program with pictures runs and leaves its numbers behind") {
   const Scratch scratch;
   CHECK(call_program(STUDENT_PROGRAM, "--no-images --out '" + (scratch / "").string() + "'").status == 0);
   // Three variants of 2 s, 120 steps each, and the header.
   CHECK(lines_of(text_of(scratch / "my_experiment/metrics.csv")).size() == 1 + 3 * 120);
 }
 
-TEST_CASE("its bodies do what the README says: the boxes stand, the brick stops, the ball bounces") {
+TEST_CASE("its bodies do what the page says: the boxes stand, the brick stops, the ball bounces") {
   World world;
   stack(world, 3);
   world.add(box({Real(0.4), Real(0.2), Real(0.4)}, 30).at({-4, Real(0.2), 0}).moving({4, 0, 0}));

@@ -1,5 +1,5 @@
-// The program that README.md shows. test_student compares the two.
-// README begins
+// The program that docs/your_own_scene.md shows. test_student compares the two.
+// page begins
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/chapters/27_which_error/choose.h"
 #include "pushback/common/experiment/experiment.h"
@@ -23,4 +23,4 @@ int main(int argc, char** argv) {
     e.number("speed of the brick", "m/s", [](const Run& run) { return run.world.bodies[4].velocity.norm(); });
   });
 }
-// README ends
+// page ends

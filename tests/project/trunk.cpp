@@ -157,6 +157,13 @@ TEST_CASE("a page of the trunk is as short as README.md says") {
   }
 }
 
+TEST_CASE("README.md counts the lines of chapter 08's plain loop") {
+  const std::string loop = "chapters/08_friction_cone/flat.cpp";
+  const std::string link = fmt::format("[the whole solver in {} lines]({})", lines_of(text_of_page(loop)).size(), loop);
+  INFO(link);
+  CHECK(contains(in_one_line(text_of_page("README.md")), link));
+}
+
 TEST_CASE("from page to page of the trunk, few lines of the plain loop change") {
   std::string before;  // the loop of the page before
   int compared = 0;

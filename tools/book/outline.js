@@ -6,6 +6,8 @@ import path from "node:path";
 const further = [
   "symptoms",
   "challenges",
+  "which_solver",
+  "your_own_scene",
   "bodies_and_queries",
   "notation",
   "hard_cases",
@@ -14,8 +16,12 @@ const further = [
   "methods",
   "speed",
   "soak_and_fuzz",
+  "engine",
   "architecture",
+  "machinery",
   "teaching",
+  "a_solver_of_your_own",
+  "commands",
   "other_systems",
 ];
 
@@ -55,6 +61,8 @@ export function outline(root) {
     .filter((name) => name.endsWith(".md") && name !== "before_you_start.md")
     .map((name) => name.slice(0, -3));
   for (const name of docs.sort((a, b) => place(a) - place(b))) add("Further", `docs/${name}.md`, { experiment: name });
+  add("Further", "CONTRIBUTING.md");
+  add("Further", "CHANGELOG.md");
   add("Tables", "renders/hard_cases/table.md", { parent: "docs/hard_cases.md", title: "All cases under all stages" });
   add("Tables", "renders/hard_cases/peers.md", {
     parent: "docs/hard_cases.md",
