@@ -55,6 +55,11 @@ export function outline(root) {
     .filter((name) => name.endsWith(".md") && name !== "before_you_start.md")
     .map((name) => name.slice(0, -3));
   for (const name of docs.sort((a, b) => place(a) - place(b))) add("Further", `docs/${name}.md`, { experiment: name });
+  for (const page of names("docs/results").filter((name) => name.endsWith(".md"))) {
+    const file = `docs/results/${page}`;
+    const above = /\]\(\.\.\/(\w+\.md)/.exec(fs.readFileSync(path.join(root, file), "utf8"))[1]; // its first link
+    add("Tables", file, { parent: `docs/${above}` });
+  }
   add("Tables", "renders/hard_cases/table.md", { parent: "docs/hard_cases.md", title: "All cases under all stages" });
   add("Tables", "renders/hard_cases/peers.md", {
     parent: "docs/hard_cases.md",
