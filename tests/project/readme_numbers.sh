@@ -55,11 +55,11 @@ filled() {
 
 declare -A folder_of=(  # of a page outside the chapters, the folder in renders/
   [docs/benchmark.md]=19_accuracy_and_time
-  [docs/methods.md]=methods
   [docs/which_solver.md]=26_to_each_its_own
 )
 for result in cheapest_settings effect_of_a_doubling errors_by_motion large_frozen_problems settings_and_machine times_beside_other_engines
 do folder_of[docs/results/$result.md]=19_accuracy_and_time; done
+for result in error_limits hard_cases time_for_1_mm with_equal_work; do folder_of[docs/results/methods_$result.md]=methods; done
 while read -r page; do
   [[ ${folder_of[$page]:-} ]] || wrong "$page has a place for numbers, but readme_numbers.sh names no folder for it"
 done < <(grep -lE '^<!-- [a-z_]+\.md(: .*)? -->$' docs/*.md docs/*/*.md)
