@@ -53,12 +53,9 @@ filled() {
     END              { exit found ? 0 : 1 }' "$1"
 }
 
-declare -A folder_of=(  # of a page outside the chapters, the folder in renders/
-  [docs/benchmark.md]=19_accuracy_and_time
-  [docs/which_solver.md]=26_to_each_its_own
-)
-for result in cheapest_settings effect_of_a_doubling errors_by_motion large_frozen_problems settings_and_machine times_beside_other_engines
-do folder_of[docs/results/$result.md]=19_accuracy_and_time; done
+declare -A folder_of=([docs/which_solver.md]=26_to_each_its_own)  # of a page outside the chapters, the folder in renders/
+for result in cheapest_settings effect_of_a_doubling errors_by_motion large_frozen_problems settings_and_machine times_beside_other_engines \
+  times_for_1_mm; do folder_of[docs/results/$result.md]=19_accuracy_and_time; done
 for result in error_limits hard_cases time_for_1_mm with_equal_work; do folder_of[docs/results/methods_$result.md]=methods; done
 while read -r page; do
   [[ ${folder_of[$page]:-} ]] || wrong "$page has a place for numbers, but readme_numbers.sh names no folder for it"
