@@ -145,7 +145,7 @@ std::size_t start_of_figure(const std::string& text, std::size_t end, bool word)
 
 std::vector<fs::path> pages() {
   std::vector<fs::path> all{"README.md"};
-  for (const auto& entry : fs::directory_iterator("docs")) {
+  for (const auto& entry : fs::recursive_directory_iterator("docs")) {
     if (entry.path().extension() == ".md") all.push_back(entry.path());
   }
   for (const auto& entry : fs::directory_iterator("chapters")) {

@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# The tables of measured numbers on the chapters' pages, and on the pages on accuracy and time, on the benchmark, on other methods
-# and on which solver to take, are copies of what the programs wrote into renders/: this test compares them. So are the differences
-# in code, which differences.sh writes there.
+# The tables of measured numbers on the chapters' pages, and on the pages of docs/ that `folder_of` lists, are copies of what the
+# programs wrote into renders/: this test compares them. So are the differences in code, which differences.sh writes there.
 #   tests/project/readme_numbers.sh           fails, with the difference, where a page is not up to date
 #   tests/project/readme_numbers.sh --write   brings every page up to date
 # A page marks the place:  <!-- numbers.md -->  table  <!-- end -->,  and so for difference.md. If a chapter has several pages, a
@@ -54,11 +53,16 @@ filled() {
     END              { exit found ? 0 : 1 }' "$1"
 }
 
-for readme in chapters/[0-9][0-9]_*/README.md docs/accuracy_and_time.md docs/benchmark.md docs/methods.md docs/which_solver.md; do
-  name=$(basename "$(dirname "$readme")")
-  [[ $readme != docs/accuracy_and_time.md && $readme != docs/benchmark.md ]] || name=19_accuracy_and_time
-  [[ $readme != docs/methods.md ]] || name=methods
-  [[ $readme != docs/which_solver.md ]] || name=26_to_each_its_own
+declare -A folder_of=([docs/which_solver.md]=26_to_each_its_own)  # of a page outside the chapters, the folder in renders/
+for result in cheapest_settings effect_of_a_doubling errors_by_motion large_frozen_problems settings_and_machine times_beside_other_engines \
+  times_for_1_mm; do folder_of[docs/results/$result.md]=19_accuracy_and_time; done
+for result in error_limits hard_cases time_for_1_mm with_equal_work; do folder_of[docs/results/methods_$result.md]=methods; done
+while read -r page; do
+  [[ ${folder_of[$page]:-} ]] || wrong "$page has a place for numbers, but readme_numbers.sh names no folder for it"
+done < <(grep -lE '^<!-- [a-z_]+\.md(: .*)? -->$' docs/*.md docs/*/*.md)
+
+for readme in chapters/[0-9][0-9]_*/README.md "${!folder_of[@]}"; do
+  name=${folder_of[$readme]:-$(basename "$(dirname "$readme")")}
   numbers=renders/$name
   pages=("$readme")
   [[ $readme == docs/* ]] || pages=("${readme%/*}"/*.md)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The bars of docs/speed.md, "Where the time goes", from what ./course bench phases -- --benchmark_format=csv prints; read from the
+# The bars of docs/results/time_of_each_phase.md, from what ./course bench phases -- --benchmark_format=csv prints; read from the
 # standard input.
 set -euo pipefail
 awk -F, '

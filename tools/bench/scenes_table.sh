@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The tables of docs/speed.md, "Each scene" and "Each island its own step", from what ./course bench scenes --
+# The tables of docs/results/time_of_each_scene.md and time_of_each_island_its_own_step.md, from what ./course bench scenes --
 # --benchmark_filter=^scene/ (or ^islands/) --benchmark_format=csv prints; read from the standard input.
 set -euo pipefail
 awk -F, '

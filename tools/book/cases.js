@@ -1,5 +1,5 @@
 /// The hard cases: in their table `#stack-10` is the row of a case, its name leads to what is asked of it, and each cell
-/// is played under its stage. On docs/hard_cases.md `#stack-10` is what is told of it.
+/// is played under its stage. On docs/hard_cases.md `#stack-10` is its name in the first cell of a row.
 import { relative } from "./outline.js";
 
 const table = "renders/hard_cases/table.md";
@@ -8,7 +8,7 @@ const tooLong = "19 direct contacts"; // the stage that no page plays: one step 
 
 export function linkCases(tokens, page) {
   if (page.file === table) linkTable(tokens, page);
-  else if (page.file === told) linkNames(tokens, page);
+  else if (page.file === told) linkNames(tokens);
 }
 
 const textOf = (cell) => cell.children.map(({ content }) => content).join("");
@@ -52,12 +52,9 @@ function link(cell, href, title) {
   cell.children = [open, ...cell.children, new cell.constructor("link_close", "a", -1)];
 }
 
-function linkNames(tokens, page) {
+function linkNames(tokens) {
   tokens.forEach((token, i) => {
-    if (token.type !== "inline" || tokens[i - 2]?.type !== "list_item_open") return;
-    const end = token.children.findIndex(({ type, content }) => type !== "code_inline" && content !== ", ");
-    if (end < 1 || !token.children[end].content.startsWith(":")) return;
-    for (const child of token.children.slice(0, end))
-      if (child.type === "code_inline") child.attrSet("id", child.content);
+    if (token.type !== "inline" || tokens[i - 1]?.type !== "td_open" || tokens[i - 2].type !== "tr_open") return;
+    for (const child of token.children) if (child.type === "code_inline") child.attrSet("id", child.content);
   });
 }

@@ -63,6 +63,11 @@ export function outline(root) {
   for (const name of docs.sort((a, b) => place(a) - place(b))) add("Further", `docs/${name}.md`, { experiment: name });
   add("Further", "CONTRIBUTING.md");
   add("Further", "CHANGELOG.md");
+  for (const page of names("docs/results").filter((name) => name.endsWith(".md"))) {
+    const file = `docs/results/${page}`;
+    const above = /\]\(\.\.\/(\w+\.md)/.exec(fs.readFileSync(path.join(root, file), "utf8"))[1]; // its first link
+    add("Tables", file, { parent: `docs/${above}` });
+  }
   add("Tables", "renders/hard_cases/table.md", { parent: "docs/hard_cases.md", title: "All cases under all stages" });
   add("Tables", "renders/hard_cases/peers.md", {
     parent: "docs/hard_cases.md",
