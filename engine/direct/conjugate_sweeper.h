@@ -1,11 +1,12 @@
-/// Nonsmooth nonlinear conjugate gradients: sweeps that remember where they were going.
+/// Nonsmooth nonlinear conjugate gradients: sweeps with a memory of the direction in which impulses change.
 ///
-/// A sweep takes r to F(r); solved means F(r) = r. Take r - F(r) for the gradient g of something that falls, and go on as
-/// Fletcher and Reeves would, without any search along the line:
+/// A sweep maps r to F(r), and r is a solution if F(r) = r. The method takes r - F(r) for a gradient g, and applies the formula
+/// of Fletcher and Reeves without a line search:
 ///
-///   r <- F(r) + B p,   p <- B p - g,   B = |g|^2 / |g before|^2;   where B > 1 it starts afresh, p <- -g
+///   r <- F(r) + B p,   p <- B p - g,   B = |g|^2 / |g before|^2;   if B > 1 it restarts, p <- -g
 ///
-/// M. Silcowitz, S. Niebe, K. Erleben, 2009 and 2010. Theirs sweeps the pyramid; here it is any of the three.
+/// M. Silcowitz, S. Niebe, K. Erleben, 2009 and 2010. They sweep with the friction pyramid. Here `TangentStep` is any step of
+/// sweeps.h.
 #pragma once
 
 #include "pushback/engine/direct/sweeps.h"
@@ -18,7 +19,7 @@ class ConjugateSweeper {
   ConjugateSweeper(const ContactProblem& problem, const Vector& start)
       : sweeper_(problem), at_(start), way_(Vector::Zero(start.size())) {}
 
-  /// r becomes F of where the last step led: within its cones, which r + B p need not be.
+  /// r becomes F of the point that the last call extrapolated. r is inside of its cones. The extrapolated point may be outside.
   void sweep(Vector& r) {
     r = at_;
     sweeper_.sweep(r);

@@ -27,7 +27,7 @@ double natural_map_error(const VectorView& r, const VectorView& u, const VectorV
 
 Eigen::Vector3d projected_to_cone(const Eigen::Vector3d& r, double mu) {
   const double tangential = std::hypot(r[1], r[2]);
-  if (r[0] >= 0 && tangential <= mu * r[0]) return r;  // r_n is asked by itself: for mu = 0, mu r_n is 0 for a pull too
+  if (r[0] >= 0 && tangential <= mu * r[0]) return r;  // if mu = 0, only the first condition excludes a pull
   if (mu * tangential <= -r[0]) return Eigen::Vector3d::Zero();
   const double normal = (r[0] + mu * tangential) / (1 + mu * mu);
   return {normal, mu * normal * (r[1] / tangential), mu * normal * (r[2] / tangential)};

@@ -1,11 +1,11 @@
-/// Coulomb's law of one contact as an equation f = 0 (Alart and Curnier): what Newton's method needs of it.
+/// Coulomb's law of one contact as an equation f = 0 (Alart and Curnier), with the derivatives for Newton's method.
 #pragma once
 
 #include "pushback/engine/direct/sweeps.h"
 
 namespace pushback {
 
-/// f of one contact, and what it changes by: df = df_du du + df_dr dr.
+/// f(r, u) of one contact and its derivatives. The equation is written in proximal_newton.h.
 struct CoulombEquation {
   Eigen::Vector3d f;
   Eigen::Matrix3d df_du = Eigen::Matrix3d::Zero(), df_dr = Eigen::Matrix3d::Zero();

@@ -4,7 +4,7 @@
 
 namespace pushback {
 
-/// Which joints there are, and which of their rows with limits are between them. Returns whether A may be another than before.
+/// Lists the joints, and guesses which rows are active. Returns whether A may differ from that of the step before.
 bool DirectJoints::guess_active_rows(StepContext& step) {
   bool soft = false;
   joint_bodies_.clear();
@@ -24,7 +24,7 @@ bool DirectJoints::guess_active_rows(StepContext& step) {
   return soft || active_ != active_before_;
 }
 
-/// What is held at a limit begins there.
+/// An inactive row starts with the impulse of its limit.
 void DirectJoints::start(StepContext& step) {
   const Real scale = step.world.impulse_scale(step.dt);
   std::size_t i = 0;
@@ -33,8 +33,9 @@ void DirectJoints::start(StepContext& step) {
   });
 }
 
-/// Block principal pivoting: all wrong rows change sides while they get fewer; after three rounds in which they do not, one alone.
-/// Júdice and Pires, "A block principal pivoting algorithm for large-scale strictly monotone LCPs", 1994.
+/// Block principal pivoting: all wrong rows change between active and inactive while they become fewer. After three rounds in
+/// which they do not, only the first one changes.
+///   Júdice and Pires, "A block principal pivoting algorithm for large-scale strictly monotone LCPs", 1994.
 void DirectJoints::sweep(StepContext&) {
   std::size_t fewest = joint_rows_.size() + 1;
   int patience = 0;
@@ -67,7 +68,8 @@ void DirectJoints::solve_at_once() {
   }
 }
 
-/// Rows with limits that are on the wrong side of one by more than rounding.
+/// Finds active rows whose impulse is beyond a limit, and inactive rows whose impulse should leave their limit, by more than
+/// rounding.
 void DirectJoints::find_wrong() {
   constexpr Real rounding = 1024 * std::numeric_limits<Real>::epsilon();  // m/s
   wrong_.clear();

@@ -1,4 +1,4 @@
-/// All joints of a step solved at once, instead of one row after the other.
+/// All joints of a step solved at once, as one linear system.
 #pragma once
 
 #include "pushback/chapters/14_joints_under_load/warm_joints.h"
@@ -6,18 +6,20 @@
 
 namespace pushback {
 
-/// In the place of Joints. All rows are one linear system, in every sweep for the velocities as they are then:
+/// Replaces Joints. In every sweep, all rows are one linear system for the present velocities:
 ///
 ///   A lambda = -(J V + b),   A = J M^-1 J^T + Gamma = L D L^T, in blocks, made once a step
 ///
-/// A row with limits takes part while its impulse is between them. Where it would leave them it is held at the limit, where it
-/// would come back it takes part again, and the system is solved anew without it or with it: the one solution that keeps all
-/// limits (an active set), mostly in two or three rounds. What acted in the step before is the first guess, and all that is remembered, so
-/// what beta feeds back cannot build up.
+/// A row with limits is active while its impulse is between them. If the impulse would leave them, the row becomes inactive: it
+/// keeps the impulse of the limit, and the system is solved again without it. If an inactive row's impulse would return, the
+/// row becomes active again. This active-set method finds the one solution within all limits, mostly in two or three rounds.
+/// The first guess of which rows are active comes from the impulses of the step before. Nothing else is remembered, so the bias
+/// that beta feeds back cannot build up.
 ///
-/// Without contacts one sweep is all. With them, the two take turns; named last in the solver's list, joints have the last word.
+/// Without contacts, one sweep is enough. With contacts, contacts and joints are solved in turn, and the last effect in the
+/// solver's list is solved last.
 struct DirectJoints : WarmJoints {
-  int most_rounds = 50;  ///< of guesses which limits act, in a sweep; after them the rows with limits are swept once
+  int most_rounds = 50;  ///< of the active-set method in a sweep; then the rows with limits are swept once
 
   void check(StepContext& step) {
     if (most_rounds < 1)
@@ -36,7 +38,7 @@ struct DirectJoints : WarmJoints {
     matrix_.factor(joint_rows_, joint_bodies_, active_);
     matrix_is_current_ = true;
   }
-  /// Of this step: which rows are solved at once. Of those that are not, others hold what some ask for, and limits hold the rest.
+  /// The matrix of this step. Rows that it does not solve are redundant, or keep the impulse of a limit.
   const JointMatrix& matrix() const { return matrix_; }
 
  private:
@@ -45,7 +47,7 @@ struct DirectJoints : WarmJoints {
   void find_wrong();
 
   JointMatrix matrix_;
-  bool matrix_is_current_ = false;  // the bodies, in the substep that comes next
+  bool matrix_is_current_ = false;  // no body moves between the latest `factor` and the next substep
   std::vector<JointMatrix::JointBodies> joint_bodies_;
   std::vector<char> active_, active_before_;  // of each row
   std::vector<double> change_;

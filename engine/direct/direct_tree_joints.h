@@ -1,4 +1,4 @@
-/// Joints that form trees are solved at once; where they form loops, they are swept.
+/// Solves joints that form trees at once, and sweeps joints that form loops.
 #pragma once
 
 #include "pushback/chapters/14_joints_under_load/steady_joints.h"
@@ -6,11 +6,12 @@
 
 namespace pushback {
 
-/// In the place of SteadyJoints, under a solver that relaxes (chapter 12).
+/// Replaces SteadyJoints in a solver that relaxes (chapter 12).
 ///
-/// Rows of a loop may contradict each other: those of a cloth are more than its particles can follow. Solved exactly, such rows ask for
-/// any speed; swept, each gives way a little. So joints are shared out: all that hang together, by bodies that move, are
-/// solved by `trees` if there is one way from body to body, and by `loops` if there are two.
+/// The rows of a loop may contradict each other: a cloth has more rows than its particles have degrees of freedom. An exact
+/// solution of such rows has arbitrarily large speeds, but sweeps leave a small error in each row. So each group of joints that
+/// are connected by moving bodies goes to `trees` if there is one path from each body to each other, and to `loops` if there
+/// are two.
 struct DirectTreeJoints : Effect, SupportsJoints, UpdatesGeometry {
   Real beta = Joints{}.beta;  ///< of both
   SplitDirectJoints trees;

@@ -7,7 +7,7 @@ namespace pushback {
 
 namespace {
 
-/// Bodies that hang together, each under one of them.
+/// Disjoint sets of connected bodies.
 class Groups {
  public:
   int of(int body) {

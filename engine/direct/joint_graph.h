@@ -1,4 +1,4 @@
-/// Which joints form loops, and in which order trees of them grow: bodies that move are the places, joints lead from one to another.
+/// The graph of joints: moving bodies are its nodes, joints are its edges.
 #pragma once
 
 #include <map>
@@ -7,22 +7,23 @@
 
 namespace pushback {
 
-/// Two bodies by their indices, `not_moving` first for a joint that holds one alone: what cannot move joins nothing.
+/// The indices of the two bodies of a joint. An immovable body connects no joints, so it counts as `not_moving`, which comes
+/// first.
 using JoinedBodies = std::pair<int, int>;
 inline constexpr int not_moving = -1;
 
-/// Of each joint: whether what hangs together with it has a loop, two ways from a body to another. Two joints between the same two
-/// bodies are none: a ball and socket has its limits beside it.
+/// Of each joint, whether the group of connected joints to which it belongs has a loop. Two joints between the same two bodies,
+/// such as a ball and socket and its limits, are not a loop.
 std::vector<bool> in_loops(const std::vector<JoinedBodies>& joints);
 
-/// The joints of one tree after the other, each after the one that it hangs from; a tree that is held by what cannot move
-/// begins there.
+/// The joints, tree by tree, each after the joint that connects it to the root. The root of a tree is its immovable body, if it
+/// has one.
 std::vector<int> root_first(const std::vector<JoinedBodies>& joints);
 
-/// Of each body that moves, the joints that hold it, ascending.
+/// The joints of each moving body, ascending.
 std::map<int, std::vector<int>> joints_by_body(const std::vector<JoinedBodies>& joints);
 
-/// Of each joint the others that hold one of its bodies, ascending.
+/// Of each joint, the other joints of its moving bodies, ascending.
 std::vector<std::vector<int>> joint_neighbours(const std::vector<JoinedBodies>& joints);
 
 }  // namespace pushback

@@ -16,7 +16,7 @@ std::vector<JoinedBodies> bodies_of(const std::vector<JointBodies>& joints) {
   return all;
 }
 
-/// What hangs from a joint is eliminated before it. Where there are loops, an approximate minimum degree.
+/// In a tree, from the leaves to the root. If there are loops, an order of approximate minimum degree.
 std::vector<int> order_of_elimination(const std::vector<JoinedBodies>& joints) {
   const std::vector<bool> in = in_loops(joints);
   if (std::find(in.begin(), in.end(), true) == in.end()) {
@@ -45,8 +45,8 @@ std::vector<int> positions_in(const std::vector<int>& order) {
   return position;
 }
 
-/// Of each joint, the joints that its elimination changes: its neighbours that are eliminated later, and those that the joints before it
-/// have passed on to it.
+/// Of each joint, the joints that its elimination changes: its neighbours that are eliminated later, and those that the joints
+/// before it have passed on to it.
 std::vector<std::vector<int>> changed_by_elimination(const std::vector<JoinedBodies>& joints,
                                                      const std::vector<int>& order, const std::vector<int>& position) {
   const auto earlier = [&](int i, int j) {
@@ -67,14 +67,15 @@ std::vector<std::vector<int>> changed_by_elimination(const std::vector<JoinedBod
   return changed;
 }
 
-/// `act(n)`, with n a constant where it is 3, as for a ball and socket: the loops of the most frequent joint are unrolled.
+/// Calls `act(n)`. If n is 3, as for a ball and socket, it is a compile-time constant, so the loops of the most frequent joint
+/// are unrolled.
 template <class Act>
 [[gnu::always_inline]] inline void with_number(int n, const Act& act) {
   if (n == 3) act(std::integral_constant<int, 3>{});
   else act(n);
 }
 
-/// J of one body. A copy: what is read from the row would be read again after each number that is written.
+/// J of one body. It is a copy, because the compiler would read the row again after each number that is written.
 struct OfBody {
   Vec3 n, r_n;
 
@@ -110,7 +111,8 @@ void JointMatrix::analyse(const std::vector<JointBodies>& joints) {
   }
 }
 
-/// The columns of L with their blocks, and memory for all of it. `changed`: of each joint, the joints that its elimination changes.
+/// The columns of L with their blocks, and memory for all of it. `changed`: of each joint, the joints that its elimination
+/// changes.
 void JointMatrix::lay_out(const std::vector<std::vector<int>>& changed) {
   columns_.assign(joints_.size(), {});
   blocks_.clear();

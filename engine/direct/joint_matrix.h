@@ -11,48 +11,49 @@
 
 namespace pushback {
 
-/// Whether there are limits to its impulse.
+/// Whether the impulse of a row has a limit.
 inline bool has_limits(const Row& row) {
   return std::isfinite(row.lo) || std::isfinite(row.hi);
 }
 
 /// A = J M^-1 J^T + Gamma = L D L^T
 ///
-/// Two joints share a block where they hold the same moving body. A joint is eliminated before the one that it hangs from, so L has
-/// a block where A has one, and no other: a tree of n joints takes a time that grows as n. Where joints form loops, the order is
-/// that of an approximate minimum degree, and L has some blocks more. Both are found once, and stay while the same joints
-/// hold the same bodies.   Baraff, "Linear-time dynamics using Lagrange multipliers", SIGGRAPH 1996.
+/// Two joints share a block if they have a moving body in common. In a tree, each joint is eliminated before the joint that
+/// connects it to the root. Then L has blocks only where A has them, and the time grows in proportion to the number of joints.
+/// If joints form loops, the order is one of approximate minimum degree, and L has some more blocks. The order and the blocks
+/// are kept while the same joints connect the same bodies.
+///   Baraff, "Linear-time dynamics using Lagrange multipliers", SIGGRAPH 1996.
 ///
-/// Rows may ask for the same thing twice. 1 / D_i is the mass that row i feels while the rows before it hold, 1 / A_ii what it feels
-/// alone. A row that feels 1 / least_pivot times as much gets no impulse: the others hold it. If it has limits, it may ask for another
-/// speed than they do, as a motor that drives against a stop. Then its D_i counts as least_pivot A_ii, and impulses grow until one of
-/// them is at its limit.
+/// Rows may be redundant. 1 / D_i is the effective mass of row i if the rows before it hold, 1 / A_ii if there are no other
+/// rows. If D_i < least_pivot A_ii, the rows before it already determine its speed, so it gets no impulse. A row with limits
+/// may have another target speed than these rows, like a motor that drives against a stop. Then D_i is replaced by least_pivot
+/// A_ii, and impulses grow until one of them reaches its limit.
 class JointMatrix {
  public:
   static constexpr Real least_pivot = Real(std::numeric_limits<Real>::digits > 24 ? 1e-8 : 3e-4);  ///< of D_i / A_ii
 
-  /// What a joint holds: two bodies by their indices, `not_moving` for one that cannot move, and with how many rows.
+  /// The bodies of a joint, `not_moving` for an immovable one, and the number of its rows.
   struct JointBodies {
     int a, b, rows;
     bool operator==(const JointBodies&) const = default;
   };
-  /// Makes A of the rows, and L and D of A. `rows` are those of the first joint, then those of the second, and so on. A row that is not
-  /// `active` is as if it were not there.
+  /// Computes A from the rows, and L and D from A. `rows` are those of the first joint, then those of the second, and so on.
+  /// Rows that are not `active` are left out.
   void factor(const JointRows& rows, const std::vector<JointBodies>& joints, const std::vector<char>& active);
-  /// A x = b, for the rows that count; 0 for the others. x is b at first.
+  /// Solves A x = b. x is b at first. The numbers of rows that are not solved become 0.
   void solve(std::span<double> x) const;
-  /// Whether a row is solved: it was active, and asks for what none before it has asked for.
+  /// Whether a row is active and not redundant.
   bool is_solved(std::size_t row) const { return inverse_pivots_[row] != 0; }
   std::size_t solved_rows() const {
     return inverse_pivots_.size() - std::size_t(std::count(inverse_pivots_.begin(), inverse_pivots_.end(), 0.0));
   }
-  /// Blocks of L below its diagonal.
+  /// The number of blocks of L below its diagonal.
   std::size_t off_diagonal_blocks() const { return blocks_.size(); }
-  /// Numbers of L below its diagonal that may differ from 0.
+  /// How many numbers of L below its diagonal may differ from 0.
   std::size_t nonzeros() const;
 
  private:
-  struct Block {  // of L, in the column of a joint: of the joint that it changes
+  struct Block {  // of L, in a joint's column: the row of another joint
     int joint;
     std::size_t values;
   };
@@ -62,7 +63,7 @@ class JointMatrix {
     std::size_t begin, end;     // of its blocks
     std::size_t updates;        // in updates_: of each pair of its blocks, the values that its elimination changes
   };
-  struct Shared {  // what two joints have in common
+  struct Shared {  // a block of A, to which one body that two joints have in common contributes
     int row, column;
     bool row_is_b, column_is_b;
     std::size_t values;

@@ -15,7 +15,8 @@ using Eigen::Index;
 using Eigen::Matrix3d;
 using Columns = Eigen::SparseMatrix<double>;
 
-/// The pattern is symmetric, and the diagonal good enough for pivots nearly always: an order for L + L^T then fills least.
+/// L and U. The pattern is symmetric, and the diagonal nearly always has good pivots, so an order for the symmetric pattern
+/// fills least.
 class Factors {
  public:
   Factors() {
@@ -121,7 +122,7 @@ class BetweenBodies : public NewtonSystem {
     }
     matrix_.setFromTriplets(pattern.begin(), pattern.end());
   }
-  /// The six rows of a body stand beside each other in each column.
+  /// The six rows of a body follow each other in each column.
   void add(const Part& row, const Part& column, const Eigen::Matrix<double, 6, 6>& block) {
     for (Index j = 0; j < 6; ++j) {
       const int* begin = matrix_.innerIndexPtr() + matrix_.outerIndexPtr()[6 * column.body + j];

@@ -1,7 +1,7 @@
 /// The linear systems of smoothed Newton steps, (W + D) x = b: D has a 3 x 3 block for each contact, not symmetric.
 ///
-/// Solved between contacts, 3 n rows, where only W is known. Where W = B B^T is known (factor_of), between bodies, where the
-/// matrix has 6 rows a body however many contacts press on it, and far less fill:
+/// If only W is known, the matrix has 3 rows per contact. If B with W = B B^T is known (factor_of), the matrix has 6 rows per
+/// body instead, however many contacts a body has, and far less fill:
 ///
 ///   (I + B^T D^-1 B) v = B^T D^-1 b,   x = D^-1 (b - B v)            Sherman, Morrison, Woodbury
 #pragma once
@@ -16,12 +16,13 @@ namespace pushback {
 
 class World;
 
-/// B of these contacts of a world, 3 n x 6 bodies, in the order of problem_of(world): each row is J M^-1/2, so W = B B^T.
+/// B, 3 rows per contact and 6 columns per body, in the order of problem_of(world). Each row is J M^-1/2, so W = B B^T.
 SparseMatrix factor_of(World& world, const Contacts& contacts);
-/// The same of all its contacts.
+/// The same for all contacts of the world.
 SparseMatrix factor_of(World& world);
 
-/// A block of D with its inverse, which loses nothing although D is nearly singular where contacts stick.
+/// A block of D and its inverse. The caller computes both, because a numerical inverse of d would be inaccurate: d is nearly
+/// singular if the contact sticks.
 struct DiagonalBlock {
   Eigen::Matrix3d d, inverse;
 };
@@ -29,7 +30,7 @@ struct DiagonalBlock {
 class NewtonSystem {
  public:
   virtual ~NewtonSystem() = default;
-  /// False where the matrix is singular.
+  /// Returns false if the matrix is singular.
   virtual bool factorize(const std::vector<DiagonalBlock>& blocks) = 0;
   virtual Vector solve(const Vector& b) const = 0;
 
@@ -45,7 +46,7 @@ class NewtonSystem {
   }
 };
 
-/// The pattern is analyzed once. `b` may be empty: between contacts.
+/// The sparsity pattern is analyzed once. If `b` is empty, the system has 3 rows per contact.
 std::unique_ptr<NewtonSystem> make_newton_system(const SparseMatrix& w, const SparseMatrix& b);
 
 }  // namespace pushback

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Index;
 using Eigen::Matrix3d;
 
-/// One problem with its pull towards `from`.
+/// A problem with the proximal term p (r - from).
 class Proximal {
  public:
   explicit Proximal(const ContactProblem& problem) : problem_(problem) {
@@ -33,7 +33,7 @@ class Proximal {
     for (Index c = 0; c < problem_.contacts(); ++c) all.segment<3>(3 * c) = law(c, r, u).f;
     return all;
   }
-  /// The change of r that f' says; not finite where f' cannot be inverted.
+  /// The Newton step. Not finite if f' is singular.
   Vector step(const Vector& r, const Vector& f_of_r) {
     const Vector u = speeds(r);
     for (Index c = 0; c < problem_.contacts(); ++c) {
@@ -103,7 +103,7 @@ class Proximal {
   bool analyzed_ = false;
 };
 
-/// A step halved until |f| falls; false where it does not.
+/// Halves the step until |f| falls. Returns false if it does not.
 bool shorten(Proximal& problem, const Vector& step, Vector& r, Vector& f) {
   if (!step.allFinite()) return false;
   const double before = f.norm();
@@ -118,9 +118,9 @@ bool shorten(Proximal& problem, const Vector& step, Vector& r, Vector& f) {
 }
 
 constexpr int most_steps = 40;
-constexpr double rounding_of_f = 3e-16;  // what is left of f where nothing more can be said
+constexpr double rounding_of_f = 3e-16;  // of |r|: a smaller f is rounding
 
-/// Newton until f is a thousandth of what it was. Returns whether it came to that.
+/// Newton steps until |f| is a thousandth of its initial value. Returns whether it is.
 bool solve(Proximal& problem, Vector& r, int& steps, const ProximalLimits& limits) {
   Vector f = problem.f(r);
   const double enough = f.norm() / 1000;

@@ -9,7 +9,7 @@ using Eigen::Index;
 
 namespace {
 
-/// J_i (M^-1 J_j^T), the part of one body.
+/// The contribution of one body to J_i (M^-1 J_j^T).
 double part(const Row& i, const Row& j, const Body* body) {
   const Vec3& dv = j.a == body ? j.dva : j.dvb;
   const Vec3& dw = j.a == body ? j.dwa : j.dwb;
@@ -20,7 +20,7 @@ double part(const Row& i, const Row& j, const Body* body) {
 }  // namespace
 
 SparseMatrix matrix_of(const Rows& rows, const std::vector<Real>& softness) {
-  std::unordered_map<const Body*, std::vector<int>> touching;  // asked, never walked: its order is that of addresses
+  std::unordered_map<const Body*, std::vector<int>> touching;  // never iterated, because its order depends on addresses
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (const Body* body : {rows[i].a, rows[i].b})
       if (body->movable()) touching[body].push_back(static_cast<int>(i));

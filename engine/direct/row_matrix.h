@@ -1,6 +1,6 @@
-/// All rows of a step written out: how an impulse on each changes the speed of every other.
+/// The matrix of all rows of a step. A_ij is the change of the speed of row i by a unit impulse on row j.
 ///
-///   A = J M^-1 J^T,   A_ij = J_i (M^-1 J_j^T): 0 where row i and row j have no moving body in common
+///   A = J M^-1 J^T,   A_ij = J_i (M^-1 J_j^T): 0 if rows i and j have no moving body in common
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/row.h"
@@ -8,26 +8,27 @@
 
 namespace pushback {
 
-/// 1/kg, a row and a column for each of `rows`. `softness`, 1/kg, is added on the diagonal: of each row, or none.
+/// A, 1/kg. `softness`, 1/kg, is added to the diagonal. It has a number for each row, or is empty.
 SparseMatrix matrix_of(const Rows& rows, const std::vector<Real>& softness = {});
 
-/// J V + b of each row, m/s: what A lambda has to make up for.
+/// J V + b of each row, m/s.
 Vector speeds_of(const Rows& rows);
 
-/// Projected Gauss-Seidel, one row:   l_i <- clamp(l_i - (A l + b)_i / A_ii, lo, hi)
+/// One row of projected Gauss-Seidel:   l_i <- clamp(l_i - (A l + b)_i / A_ii, lo, hi)
 ///
-/// Over all rows in turn this is sequential impulses: there JV is kept in the bodies' velocities, here it is added up from A.
+/// Called for all rows in turn, this is Sequential Impulses, which keeps J V in the bodies' velocities instead of summing it
+/// from A.
 void project_row(const SparseMatrix& a, const Vector& b, Eigen::Index i, double lo, double hi, Vector& impulses);
 
-/// The contacts of a world as a problem for any solver, q = JV as the bodies move now: after World::begin_step, that of the
-/// step. Friction is each contact's own; r_n is along its normal, r_t along tangents_of.
+/// The problem of a world's contacts. q is J V for the present velocities, which are those of the step after World::begin_step.
+/// r_n is along the normal of each contact, r_t along its tangents_of.
 ContactProblem problem_of(World& world);
 
-/// The same of a solver's rows: the first contacts.size() are the normals, tangents may follow, two a contact. q = JV + b.
-/// A contact without tangents among them is without friction.
+/// The problem of a solver's rows, q = J V + b. The first contacts.size() rows are the normals. Two tangents per contact may
+/// follow. A contact without tangents has no friction.
 ContactProblem problem_of(const Contacts& contacts, const Rows& rows);
 
-/// Where each of those rows stands in that problem: of each contact the normal comes first, then its tangents.
+/// The index of each of these rows in that problem, in which the normal of each contact is followed by its tangents.
 std::vector<Eigen::Index> places_in_problem(const Contacts& contacts, const Rows& rows);
 
 }  // namespace pushback

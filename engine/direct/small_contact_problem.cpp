@@ -12,14 +12,14 @@ using Eigen::Index;
 using Impulses = SmallContactProblem::Impulses;
 using Matrix = SmallContactProblem::Matrix;
 
-/// How fast row i becomes by 1 N s on row j, as far as `body` takes part in both.
+/// The contribution of `body` to the change of the speed of row i by 1 N s on row j.
 double through(const Body* body, const Row& i, const Row& j) {
   if (!body->movable() || (j.a != body && j.b != body)) return 0;
   const Vec3 &dv = j.a == body ? j.dva : j.dvb, &dw = j.a == body ? j.dwa : j.dwb;
   return static_cast<double>(i.a == body ? -i.n.dot(dv) - i.ra_n.dot(dw) : i.n.dot(dv) + i.rb_n.dot(dw));
 }
 
-/// f of all contacts, and f' with the pull p if it is asked for.
+/// f of all contacts; also f' with the proximal term p, if `derivative` is not null.
 Impulses f_of(const SmallContactProblem& problem, const Impulses& r, const Impulses& u, double pull = 0,
               Matrix* derivative = nullptr) {
   Impulses f(r.size());

@@ -1,5 +1,5 @@
-/// Newton's method for a handful of contacts: the same equation f = 0 as that of proximal_newton.h, in matrices whose size has a
-/// bound, so that nothing is allocated.
+/// Newton's method for a few contacts. The equation f = 0 is that of proximal_newton.h. The matrices have a maximum size, so
+/// they need no memory from the heap.
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/row.h"
@@ -8,7 +8,7 @@
 namespace pushback {
 
 struct SmallContactProblem {
-  static constexpr int most_contacts = 8;  ///< contacts: two boxes on each other on the ground
+  static constexpr int most_contacts = 8;  ///< enough for two boxes on top of each other on the ground
   template <int Columns, int MostColumns>
   using Dense = Eigen::Matrix<double, Eigen::Dynamic, Columns, Eigen::ColMajor, 3 * most_contacts, MostColumns>;
   using Matrix = Dense<Eigen::Dynamic, 3 * most_contacts>;
@@ -16,15 +16,16 @@ struct SmallContactProblem {
 
   Matrix w;     ///< 1/kg
   Impulses q;   ///< m/s
-  Impulses mu;  ///< one a contact
+  Impulses mu;  ///< of each contact
 };
 
-/// W of rows as problem_of has it, for at most SmallContactProblem::most_contacts contacts: `places` says where each row stands there.
+/// W in the order of problem_of, for at most `most_contacts` contacts. `places`: the index of each row in the problem.
 SmallContactProblem::Matrix small_matrix_of(const Rows& rows, const std::vector<Eigen::Index>& places);
 
-/// Whether r, which is where it starts, has become a solution to `tolerance` of relative_residual. If not, r is as it was.
+/// Starts from r, and returns whether r has become a solution within `tolerance` of relative_residual. If not, r is unchanged.
 ///
-/// Each step solves (df_dr + df_du (W + p)) dr = -f with a p that falls to almost nothing: the proximal term of one round a step.
+/// Each step solves (df_dr + df_du (W + p)) dr = -f. The proximal term p of proximal_newton.h decreases in each step to almost
+/// 0.
 bool solve_small(const SmallContactProblem& problem, SmallContactProblem::Impulses& r, double tolerance);
 
 }  // namespace pushback

@@ -15,7 +15,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// x and z of one contact, and dz = -slope dx along their common curve.
+/// The smoothed x and z of one contact, and the derivative along their common curve, dz = -slope dx.
 struct Rounded {
   Vector3d x, z;
   Matrix3d slope, inverse;
@@ -48,11 +48,12 @@ struct Rounded {
   }
 
  private:
-  /// Bounded: a contact that sticks gives way by 1e-7 W at least, so that B^T D^-1 B keeps the digits of the masses beside it.
+  /// Bounded below, so that D^-1 of a sticking contact is not so large that B^T D^-1 B loses the digits of the masses that are
+  /// added to it.
   static double ratio(double of_x, double of_z) { return of_x > 0 ? std::clamp(of_z / of_x, 1e-7, 1e12) : 1e12; }
 };
 
-/// The problem in x, z and y, speeds as parts of the mean of q.
+/// The problem in x, z and y. Speeds are divided by the root mean square of q.
 class Smoothed {
  public:
   Smoothed(const ContactProblem& problem, const SparseMatrix& factor) : scale_(problem.q.size()) {
@@ -72,7 +73,7 @@ class Smoothed {
   std::unique_ptr<NewtonSystem> system;
   double t = 1;
 
-  /// r, with the kinks: every one is within its cone.
+  /// r by the exact law, so each contact's impulse is inside of its cone.
   Vector impulses(const Vector& y) const {
     Vector x(y.size());
     for (Index c = 0; 3 * c < y.size(); ++c) x.segment<3>(3 * c) = Rounded(y.segment<3>(3 * c), 0).x;
@@ -89,7 +90,7 @@ class Smoothed {
     }
     return w_ * x + q_ + rest;
   }
-  /// The change of y that f' says; not finite where f' cannot be inverted.
+  /// The Newton step. Not finite if f' is singular.
   Vector step(const Vector& y, const Vector& f_of_y) {
     std::vector<DiagonalBlock> blocks;
     std::vector<Matrix3d> with_slip;  // (I - of_slip)^-1
@@ -116,7 +117,7 @@ class Smoothed {
   double unit_ = 1;
 };
 
-/// A step halved until |f| falls; false where it does not.
+/// Halves the step until |f| falls. Returns false if it does not.
 bool shorten(const Smoothed& problem, const Vector& step, Vector& y, Vector& f) {
   if (!step.allFinite()) return false;
   for (double part = 1; part > 1e-2; part /= 2) {
@@ -129,7 +130,7 @@ bool shorten(const Smoothed& problem, const Vector& step, Vector& y, Vector& f) 
   return false;
 }
 
-/// The path of y as t falls, as far as the limits go.
+/// Follows the path of y as t decreases, within the limits.
 class Path {
  public:
   Path(const ContactProblem& problem, const SmoothedLimits& limits, const SparseMatrix& factor, SmoothedSolution& best)
@@ -154,9 +155,9 @@ class Path {
   }
 
  private:
-  static constexpr int most_systems = 12;  // to a point: beyond that, a shorter way is cheaper
-  static constexpr double least = 1e-15;   // t, where rounding is all that is left
-  static constexpr double near = 0.1;      // |f| of a contact as a part of t
+  static constexpr int most_systems = 12;  // for one t: if it takes more, a smaller decrease of t is cheaper
+  static constexpr double least = 1e-15;   // t: below it, only rounding changes
+  static constexpr double near = 0.1;      // |f| of a contact as a fraction of t
 
   bool goes_on() const {
     return best_.residual > limits_.tolerance && best_.systems < limits_.systems && best_.work < limits_.work;

@@ -1,5 +1,4 @@
-/// Whatever it takes, up to a count of multiplications: sweeps until it has settled which contacts stick, slide or part,
-/// then Newton's method.
+/// Solves a contact problem by sweeps, until it is settled which contacts stick, slide or part, and then by Newton's method.
 #pragma once
 
 #include "pushback/engine/direct/sweeping_methods.h"
@@ -7,16 +6,17 @@
 namespace pushback {
 
 struct SolveLimits {
-  double tolerance = 1e-13;  ///< of relative_residual: below this nothing more is done
-  double work = 1.5e10;  ///< multiplications after which nothing new is begun: about a minute, and no clock is asked
-  int rounds = 12;       ///< of sweeps and Newton's method, at most
+  double tolerance = 1e-13;  ///< of relative_residual
+  double work = 1.5e10;      ///< multiplications, after which no sweep and no linear system begins: about a minute
+  int rounds = 12;           ///< of sweeps and Newton's method, at most
 };
 
-/// The work is counted, so that the same problem ends at the same place, in the same bits, on a fast machine and a slow one:
-/// a sweep has one multiplication for each number in W; for a linear system see solve_proximal.
+/// Returns the impulses with the smallest residual that were found. If Newton's method fails, the next attempt begins with more
+/// sweeps. Later rounds sweep the contacts in other orders, because sweeps in another order find another solution if there are
+/// several.
 ///
-/// The best point met. Where Newton fails, more sweeps go before it; after that, sweeps in other orders, since where a problem
-/// has many solutions, each order goes for another one.
+/// Work is counted in multiplications, not in seconds, so that a fast and a slow machine stop at the same point, with the same
+/// bits. A sweep counts one multiplication for each number in W. For a linear system see solve_proximal.
 Solution solve_best(const ContactProblem& problem, const SolveLimits& limits = {});
 
 }  // namespace pushback

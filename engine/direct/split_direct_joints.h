@@ -1,14 +1,15 @@
-/// Joints solved at once under a solver that relaxes (chapter 12), beside contacts.
+/// Joints solved at once, together with contacts, in a solver that relaxes (chapter 12).
 #pragma once
 
 #include "pushback/engine/direct/direct_joints.h"
 
 namespace pushback {
 
-/// In the place of SteadyJoints. Contacts and joints take turns, so contacts would answer a push that closes the gaps of
-/// joints, and joints that answer. So the sweeps solve J V + b = 0; once they are done the system is solved once more with (beta / h) C,
-/// which has the last word before the bodies move. Once they have moved, the joints are solved where they are now. That takes
-/// the push back but for the part that has turned with the bodies, which makes up for what their turn costs: (w h)^2 / 2 of the speed.
+/// Replaces SteadyJoints. Contacts and joints are solved in turn. If joints had the bias (beta / h) C in the sweeps, contacts
+/// would react to the speed with which it closes the gaps of joints, and joints to that reaction. So the sweeps leave this bias
+/// out. After the last sweep, before the bodies move, the system is solved once more with it. After the bodies have moved, the
+/// joints are solved again at the new positions without it, which removes the closing speed, except for the part that has
+/// turned with the bodies. That part compensates the loss that their turn causes, (w h)^2 / 2 of the speed.
 struct SplitDirectJoints : DirectJoints {
   void build(StepContext& step) {
     DirectJoints::build(step);

@@ -1,4 +1,4 @@
-/// The ways to sweep a contact problem, by name; and what any method leaves.
+/// The sweeping methods by name, and the solution that any method returns.
 #pragma once
 
 #include <functional>
@@ -15,21 +15,22 @@ struct Solution {
   int sweeps = 0;       ///< over all contacts
   int systems = 0;      ///< linear systems solved
   int pivots = 0;       ///< exchanges of a variable for its partner
-  double work = 0;      ///< multiplications; 0 where they were not counted
+  double work = 0;      ///< multiplications; 0 if they were not counted
 };
 
-/// pgs: friction in a pyramid; scaled-back: both tangents solved, then scaled back; cone: the exact law; nscg: conjugate
-/// gradients over sweeps of the cone.
+/// "pgs": friction pyramid. "scaled-back": both tangents solved, then scaled back to the cone. "cone": the exact law. "nscg":
+/// conjugate gradients with sweeps of "cone".
 std::vector<std::string> sweeping_method_names();
 
-/// One sweep of a method over all contacts: r is changed. It refers to the problem, and may remember where it was going.
+/// One sweep of a method over all contacts, which changes r. It refers to the problem, which must outlive it, and may have a
+/// memory.
 using Sweep = std::function<void(Vector&)>;
 
-/// Throws InvalidInput where there is no such method.
+/// Throws InvalidInput if there is no such method.
 Sweep sweep_of(const ContactProblem& problem, const std::string& method);
 
-/// From r = 0, until relative_residual is `tolerance` at most, looked at after every tenth sweep, or `sweeps` are done. Throws
-/// InvalidInput where there is no such method.
+/// Sweeps from r = 0 until relative_residual is at most `tolerance`, which is tested after every tenth sweep, or for `sweeps`
+/// sweeps. Throws InvalidInput if there is no such method.
 Solution solve_by_sweeps(const ContactProblem& problem, const std::string& method, int sweeps, double tolerance);
 
 }  // namespace pushback

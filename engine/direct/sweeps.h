@@ -1,10 +1,10 @@
-/// Sweeps over a contact problem: what chapters 06 and 08 do to rows, written for W.
+/// Sweeps over a contact problem: the sweeps of chapters 06 and 08, written for W instead of rows.
 ///
-/// A sweep gives each contact in turn new impulses, as if it were alone. First all normals,
+/// A sweep solves each contact by itself, in turn. First all normals,
 ///
-///   r_n <- max(0, r_n - u_n / W_nn),     then all tangents, with u_t as the others have left it, within mu r_n
+///   r_n <- max(0, r_n - u_n / W_nn),     then all tangents for the present u_t, within mu r_n
 ///
-/// The three differ in what they do with the tangents only.
+/// PyramidStep, ScaledBackStep and ConeStep differ only in how they solve the tangents.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace pushback {
 
-/// What the steps of a contact need of its block of W.
+/// The block of W of one contact.
 struct ContactBlock {
   Eigen::Matrix3d w;
   double larger_eigenvalue;  ///< of the tangents' 2 x 2 block, 1/kg
@@ -30,7 +30,7 @@ struct PyramidStep {
   static void step(const ContactBlock& at, double radius, Eigen::Vector2d u, Eigen::Vector2d& r) {
     for (Eigen::Index i = 0; i < 2; ++i) {
       const double k = at.w(1 + i, 1 + i);
-      if (k <= 0) continue;  // nothing that an impulse could change
+      if (k <= 0) continue;  // no impulse moves it
       const double total = std::clamp(r[i] - u[i] / k, -radius, radius);
       u += (total - r[i]) * at.w.block<2, 1>(1, 1 + i);
       r[i] = total;
@@ -43,7 +43,7 @@ inline Eigen::Vector2d projected_to_disc(const Eigen::Vector2d& r, double radius
   return length > radius ? Eigen::Vector2d(r * (radius / length)) : r;
 }
 
-/// Both tangents at once, what is too long scaled back: chapter 08's near miss.
+/// Both tangents solved at once. An impulse outside of the disc is scaled back to it, which is chapter 08's near miss.
 struct ScaledBackStep {
   static void step(const ContactBlock& at, double radius, const Eigen::Vector2d& u, Eigen::Vector2d& r) {
     const Eigen::Matrix2d k = at.w.bottomRightCorner<2, 2>();
@@ -54,14 +54,14 @@ struct ScaledBackStep {
   }
 };
 
-/// One step of the same size for both, projected to the disc: chapter 08's cone. Where nothing changes, Coulomb's law holds.
+/// One step of the same size for both, projected to the disc: chapter 08's cone. If it changes nothing, Coulomb's law holds.
 struct ConeStep {
   static void step(const ContactBlock& at, double radius, const Eigen::Vector2d& u, Eigen::Vector2d& r) {
     if (at.larger_eigenvalue > 0) r = projected_to_disc(r - u / at.larger_eigenvalue, radius);
   }
 };
 
-/// One after the other, from impulses that are given.
+/// Refers to the problem, which must outlive it.
 template <class TangentStep>
 class Sweeper {
  public:

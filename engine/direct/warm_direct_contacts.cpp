@@ -12,7 +12,8 @@
 
 namespace pushback {
 
-/// Contacts. Beyond that, a system between them takes longer than all of the smoothed ones between bodies, from nothing.
+/// Contacts. With more, one system with 3 rows per contact takes longer than all systems of solve_smoothed with 6 rows per
+/// body.
 constexpr Eigen::Index most_from_guess = 100;
 
 std::string WarmDirectContacts::too_large_message(std::size_t contacts) {
@@ -26,13 +27,13 @@ void WarmDirectContacts::start(StepContext& step) {
 bool WarmDirectContacts::try_start(StepContext& step) {
   if (step.contacts.empty()) return true;
   evaluate_guess(step);
-  if (relative_residual(r_, u_, q_, mu_) <= tolerance) return true;  // what rests: W is not even written down
+  if (relative_residual(r_, u_, q_, mu_) <= tolerance) return true;  // a resting scene: W is not needed
   if (!solve_small_problem(step.rows) && !solve_large_problem(step)) return false;
   for (std::size_t i = 0; i < places_.size(); ++i) step.rows[i].reach(static_cast<Real>(r_[places_[i]]));
   return true;
 }
 
-/// The guess is taken away, and given again: so u and q are known without W.
+/// Removes the guess from the bodies and applies it again. Their velocities then give q and u without W.
 void WarmDirectContacts::evaluate_guess(StepContext& step) {
   Rows& rows = step.rows;
   places_ = places_in_problem(step.contacts, rows);

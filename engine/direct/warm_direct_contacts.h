@@ -1,24 +1,26 @@
-/// All contacts at once, from where the last step ended.
+/// All contacts solved at once, from the impulses of the last step.
 #pragma once
 
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
 
 namespace pushback {
 
-/// In the place of DirectContacts, after WarmStart, whose guess it goes on from: what rests is one linear system away from its
-/// solution, or none. Only where Newton's method does not get there in `rounds`, or where there are many contacts, it is solved
-/// from nothing: smoothed, between bodies, and where that ends too far off, as DirectContacts does.
+/// Replaces DirectContacts, and starts from the guess of WarmStart, which has to precede it in the solver's list. A resting
+/// scene needs one linear system, or none. If Newton's method does not converge in `rounds`, or if there are many contacts,
+/// solve_smoothed starts without the guess. If its residual is above `fallback_tolerance`, solve_best follows, as in
+/// DirectContacts.
 struct WarmDirectContacts : Effect {
   double tolerance = 1e-5;           ///< of relative_residual
-  double fallback_tolerance = 1e-3;  ///< of the same, and solved from nothing
+  double fallback_tolerance = 1e-3;  ///< of the same: if a method leaves more, the next one is tried
   int rounds = 3;                    ///< of Newton's method, see ProximalLimits
-  /// Multiplications in all steps together. Once they are spent, the next system is refused.
+  /// The multiplications that are left for all steps together. At 0, steps that need a linear system fail.
   double work = std::numeric_limits<double>::infinity();
 
   /// Throws InvalidInput if `work` is spent.
   void start(StepContext& step);
-  /// The same, but returns false.
+  /// The same, but returns false instead of throwing.
   bool try_start(StepContext& step);
+  /// The error message if `work` is spent.
   static std::string too_large_message(std::size_t contacts);
 
  private:

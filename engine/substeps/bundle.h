@@ -1,6 +1,8 @@
-/// Contacts of eight pairs of bodies side by side, as plain arrays: what files compiled for different processors hand each other.
+/// The data of the wide solver: contacts of eight pairs of bodies next to each other, in plain arrays. Files that are compiled
+/// for different processors share these types.
 ///
-/// Nothing here is a function that two such files could share: the linker would keep one for both.
+/// This header defines no functions. The linker would keep one copy of each, which might use instructions that the processor
+/// lacks.
 #pragma once
 
 namespace pushback {
@@ -21,49 +23,49 @@ struct EightSymmetricMatrices {
   EightNumbers<Real> xx, xy, xz, yy, yz, zz;
 };
 
-/// A row of chapter 01: what J has beside n, and what M^-1 J^T has beside the masses.
+/// A Row of chapter 01 for each pair, without n, which the rows of a bundle share.
 template <class Real>
 struct WideRow {
   EightVectors<Real> ra_n, rb_n, dwa, dwb;
   EightNumbers<Real> impulse;  ///< N s
 };
-/// Where a point of contact of each pair is: what its rows are made of.
+/// A contact point of each pair, as detected.
 template <class Real>
 struct WidePoint {
   EightVectors<Real> arm_a, arm_b;  ///< m, from the centres of mass
   EightNumbers<Real> gap;           ///< C_0, m
-  EightNumbers<Real> present;       ///< 1; or 0 where a pair has fewer points
+  EightNumbers<Real> present;       ///< 1; or 0 if the pair has fewer points
 };
-/// A point of contact of each pair: a KeptContact of chapter 21.
+/// A contact of each pair: a KeptContact of chapter 21. If a pair has fewer points, its masses are 0.
 template <class Real>
 struct WideContact {
   WideRow<Real> normal, tangent1, tangent2;
-  EightNumbers<Real> found, restitution, rigid_mass,
-      step_size;                                    ///< C_0, e, 1 / K, 1 / k; all 0 where a pair has fewer points
-  EightNumbers<Real> bias, softness, mass, bounce;  ///< b, gamma, 1 / (K + gamma), e v_n, of this pass
-  EightVectors<Real> sum;                           ///< N s, on B, world axes: over the substeps so far
+  EightNumbers<Real> found, restitution;     ///< C_0, m; e
+  EightNumbers<Real> rigid_mass, step_size;  ///< 1 / K of the normal; 1 / k of both tangents (chapter 08); kg
+  EightNumbers<Real> bias, softness, mass;   ///< b, gamma and 1 / (K + gamma) of the normal, in this pass
+  EightNumbers<Real> bounce;  ///< minus the speed after its bounce in this substep, m/s; 0: it does not bounce
+  EightVectors<Real> sum;     ///< N s, on B, world axes: over the substeps so far
 };
-/// Eight pairs, no two of which share a body that moves.
+/// Eight pairs, no two of which share a movable body.
 template <class Real>
 struct Bundle {
-  int a[lanes_per_bundle], b[lanes_per_bundle];  ///< in the list of bodies
+  int a[lanes_per_bundle], b[lanes_per_bundle];  ///< indices in the list of bodies
   EightNumbers<Real> inverse_mass_a, inverse_mass_b, friction;
   EightSymmetricMatrices<Real> inverse_inertia_a, inverse_inertia_b;  ///< I^-1, world axes
   EightVectors<Real> n, tangent1, tangent2;
   EightVectors<Real> found_n, found_tangent1, found_tangent2;  ///< as detected
-  EightNumbers<Real> face_a, face_b,
-      cores;  ///< 1: n turns with A; with B; is the direction from core to core. Else rows are carried
-  EightNumbers<Real> radius_a, radius_b;  ///< m: so far is what is touched, skin and all, from its core
-  EightNumbers<Real> reach_a, reach_b;    ///< m, the longest arm
-  EightVectors<Real> rebuilt_displacement, rebuilt_turn_a,
-      rebuilt_turn_b;  ///< when the rows were placed: by which B had moved past A, m, and
-                       ///< by which each had turned, rad, since detection
-  EightNumbers<Real>
-      rebuild_distance_squared;  ///< m, squared: once a pair has moved or turned as far since, its rows are placed anew
-  int first, end;                ///< of its contacts in their list: as many as the pair with the most points has
+  EightNumbers<Real> face_a, face_b, cores;  ///< one of them is 1, see NormalSource; all are 0 for NormalSource::none
+  EightNumbers<Real> radius_a, radius_b;     ///< m, from the core to the surface with its skin
+  EightNumbers<Real> reach_a, reach_b;       ///< m, the longest arm
+  /// m: the displacement of B minus that of A from detection to the latest rebuild of the rows.
+  EightVectors<Real> rebuilt_displacement;
+  EightVectors<Real> rebuilt_turn_a, rebuilt_turn_b;  ///< rad: the turn of each body in the same time
+  /// m^2: the rows are rebuilt once the pair has moved or turned by this distance since.
+  EightNumbers<Real> rebuild_distance_squared;
+  int first, end;  ///< its contacts in the list of all: as many as the pair with the most points has
 };
 
-/// v and w of a body, or x and theta: in m/s and rad/s, or m and rad; and two numbers that are nothing.
+/// v, m/s, and w, rad/s, of a body; or its displacement, m, and its turn, rad. The last two numbers are padding.
 template <class Real>
 struct alignas(8 * sizeof(Real)) Twist {
   Real values[8];
@@ -75,53 +77,60 @@ struct alignas(8 * sizeof(Real)) Inertia {
   Real values[6], padding[2];  ///< xx, xy, xz, yy, yz, zz
 };
 
-/// Eight bodies that turn.
+/// Eight bodies that rotate freely.
 template <class Real>
 struct EightRotations {
-  EightNumbers<Real> x, y, z, s;       ///< their orientation, a unit quaternion with the scalar part s
+  EightNumbers<Real> x, y, z, s;       ///< the orientation, a unit quaternion with the scalar part s
   EightVectors<Real> w;                ///< rad/s, world axes
   EightVectors<Real> inverse_inertia;  ///< the principal ones, 1/(kg m^2)
-  EightNumbers<Real> solved;           ///< 1; or 0 where it turns so far that Newton's method has not followed
+  EightNumbers<Real> solved;           ///< 1; or 0 if the body turns so far that Newton's method did not converge
 };
 
-/// All of it.
+/// The bundles on which a pass works, and the arrays to which they refer.
 template <class Real>
 struct BundleRange {
   Bundle<Real>* bundles;
   int count;
   const WidePoint<Real>* points;
   WideContact<Real>* contacts;
-  Twist<Real>*velocities, *velocities_before;
-  Twist<Real>*displacements, *impulse_velocities;
+  Twist<Real>*velocities, *velocities_before;  ///< of each body: now; as the substep began
+  Twist<Real>* displacements;                  ///< of each body since detection
+  Twist<Real>* impulse_velocities;             ///< of each body: the velocity that the impulses of its contacts add
   const Inertia<Real>* inertias;
-  EightVectors<Real>* start_impulses;
+  EightVectors<Real>* start_impulses;  ///< of each contact: along n and both tangents, as a substep with a bounce began
 };
 
-/// What soft contacts ask for: PushOut of chapter 21.
+/// The coefficients of soft contacts for one length of substep: PushOut of substepping_solver.h.
 template <class Real>
 struct WidePushOut {
   Real rate, gamma_by_K, fastest, threshold, h;
 };
 
-/// The passes over all contacts, for one number of lanes and one kind of processor.
+/// The passes over contacts, for one number of lanes and one kind of processor.
 template <class Real>
 struct Passes {
   const char* processor;
   int lanes;
+  /// Once per step: builds the rows, and applies the initial impulses to impulse_velocities.
   void (*prepare)(const BundleRange<Real>&);
-  Real (*prepare_substep)(const BundleRange<Real>&, const WidePushOut<Real>&);  ///< returns the fastest bounce, m/s
+  /// Sets the target velocities of normals for a substep. Returns the fastest bounce, m/s.
+  Real (*prepare_substep)(const BundleRange<Real>&, const WidePushOut<Real>&);
+  /// Rebuilds the rows of pairs that have moved far enough.
   void (*rebuild_rows)(const BundleRange<Real>&);
+  /// Removes the push-out after the bodies have moved (chapter 12).
   void (*relax)(const BundleRange<Real>&);
-  Real (*solve_normals)(const BundleRange<Real>&);   ///< all normals; returns by how much it changed a speed, m/s
-  void (*solve_friction)(const BundleRange<Real>&);  ///< all tangents
-  void (*solve_friction_and_sum)(
-      const BundleRange<Real>&);  ///< the same, the last pass of a substep: impulses are summed
+  /// Solves all normals. Returns the largest change of a speed, m/s.
+  Real (*solve_normals)(const BundleRange<Real>&);
+  void (*solve_friction)(const BundleRange<Real>&);
+  /// The last pass of a substep, which also adds the impulses to WideContact::sum.
+  void (*solve_friction_and_sum)(const BundleRange<Real>&);
   void (*save_impulses)(const BundleRange<Real>&);
   void (*restore_impulses)(const BundleRange<Real>&);
+  /// The free rotation of eight bodies in h, s.
   void (*turn)(EightRotations<Real>&, Real h);
 };
 
-/// For any processor, and for one with AVX2. `lanes`: 1, 4 or 8.
+/// Passes for any processor, and for processors with AVX2. `lanes`: 1, 4 or 8.
 template <class Real>
 Passes<Real> plain_passes(int lanes);
 template <class Real>

@@ -97,7 +97,7 @@ void ContactBundles<Scalar>::clear(Bundle<Scalar>& bundle) {
   std::fill(points.begin() + bundle.first, points.begin() + bundle.end, WidePoint<Scalar>{});
 }
 
-/// The masses, inertias and shapes of a pair, and whether its rows ride on a body.
+/// Copies the masses, inertias and shapes of a pair, and the source of its normal.
 template <class Scalar>
 void ContactBundles<Scalar>::pack_bodies(const TouchingPair& pair, const Vec3& n, const BundleInput& input,
                                          Bundle<Scalar>& bundle, std::size_t lane) {
@@ -123,7 +123,7 @@ void ContactBundles<Scalar>::pack_bodies(const TouchingPair& pair, const Vec3& n
   bundle.rebuild_distance_squared.values[lane] = static_cast<Scalar>(within * within);
 }
 
-/// A pair and its contacts, all of which get the first one's normal and friction.
+/// Copies a pair and its contacts. All of them get the normal and friction of the first one.
 template <class Scalar>
 void ContactBundles<Scalar>::pack_pair(const World& world, const TouchingPair& pair, const BundleInput& input,
                                        std::size_t at, std::size_t lane) {

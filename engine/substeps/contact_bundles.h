@@ -10,7 +10,7 @@
 
 namespace pushback {
 
-/// Each part of a pass over bundles has at least so many, if threads share it.
+/// The least number of bundles in each part of a pass that threads share.
 inline constexpr std::size_t least_bundles = 8;
 
 /// The values of a bundle that do not come from the contacts of the world.
@@ -27,7 +27,7 @@ struct ContactBundles {
     std::size_t bundle, contact, lane;
   };
 
-  std::vector<Body*> bodies;  ///< all that have contacts, then `the_world`, which fills empty lanes
+  std::vector<Body*> bodies;  ///< all with contacts, then `the_world`, which fills empty lanes
   std::vector<Real> reaches;  ///< m, of each of `bodies`: its longest arm
   std::vector<Bundle<Scalar>> bundles;
   std::vector<std::size_t> set_ends;          ///< of each set, in `bundles`
@@ -42,7 +42,7 @@ struct ContactBundles {
   /// Copies the normal, the depth, the impulses and the state of the i-th contact. `displacements`: of each of `bodies`, since
   /// detection. `known`: the step before had this contact.
   void write_back(std::size_t i, const std::vector<Twist<Scalar>>& displacements, bool known, Contact& contact) const;
-  /// m/s: the most by which another sweep would change the speed along a row. KeptContact::error of chapter 21.
+  /// m/s: the largest change of the speed along a row by another sweep. KeptContact::error of chapter 21.
   Real residual() const;
 
  private:

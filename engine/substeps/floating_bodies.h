@@ -1,4 +1,4 @@
-/// Whose angular momentum is kept.
+/// Bodies of islands that touch nothing immovable.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace pushback {
 
-/// Of each body, whether it floats: no body of its island (chapter 20) touches, or is joined to, what nothing moves. What is immovable
-/// does not float. `pairs`: all that touch.
+/// Of each body, whether it floats: it is movable, and no body of its island (chapter 20) touches an immovable body or is
+/// joined to one. The angular momentum of such an island has to be kept. `pairs`: all pairs that touch.
 inline std::vector<bool> floating_bodies(const std::vector<TouchingPair>& pairs, const World& world) {
   std::vector<int> all(world.bodies.size());
   std::iota(all.begin(), all.end(), 0);

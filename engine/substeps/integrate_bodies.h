@@ -8,8 +8,8 @@
 
 namespace pushback {
 
-/// x += h v, and the turn of a free body, for each of `bodies`: `integrate_position` of common/world. `turn` is Passes::turn, which turns
-/// eight bodies at a time.
+/// Moves each of `bodies` for h, s: `integrate_position` of common/world, but `turn`, which is Passes::turn, rotates eight
+/// bodies at a time.
 void integrate_bodies(std::span<Body> bodies, Real h, void (*turn)(EightRotations<Real>&, Real h));
 
 }  // namespace pushback

@@ -1,6 +1,7 @@
-/// Several numbers as one, and vectors of them.
+/// SIMD: several numbers as one value, and vectors of such values.
 ///
-/// In an anonymous namespace: each file that includes this has its own, made for the processor that it is compiled for.
+/// All functions are in an anonymous namespace, so that each file that includes this header has its own copy, compiled for its
+/// processor.
 #pragma once
 
 #include "pushback/engine/substeps/bundle.h"
@@ -15,7 +16,7 @@ namespace {
 
 namespace simd = std::experimental;
 
-/// `width` lanes: what is done to one of them is done to all. With one, it is a number.
+/// A vector of `width` numbers on which each operation acts at once. With a width of 1, it is a number.
 template <class Real, int width>
 using LanesOf = simd::simd<Real, simd::simd_abi::deduce_t<Real, width> >;
 
@@ -50,7 +51,7 @@ struct Symmetric {
   }
 };
 
-/// Lane by lane, one or the other.
+/// `yes` in the lanes in which `so` is true, `no` in the others.
 template <class Lanes>
 Lanes select(const typename Lanes::mask_type& so, const Lanes& yes, Lanes no) {
   where(so, no) = yes;
@@ -61,7 +62,7 @@ Vec<Lanes> select(const typename Lanes::mask_type& so, const Vec<Lanes>& yes, co
   return {select(so, yes.x, no.x), select(so, yes.y, no.y), select(so, yes.z, no.z)};
 }
 
-/// Lanes of eight numbers, from the one at `at` on.
+/// Loads as many of eight numbers as there are lanes, from index `at` on.
 template <class Lanes, class Real>
 Lanes load(const EightNumbers<Real>& from, int at) {
   return Lanes(from.values + at, simd::element_aligned);

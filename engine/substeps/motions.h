@@ -1,4 +1,4 @@
-/// What several bodies do, side by side: fetched from where each has its own, and put back.
+/// The velocities of several bodies, gathered into lanes and scattered back.
 ///
 /// In an anonymous namespace, as lanes.h.
 #pragma once
@@ -11,20 +11,21 @@
 namespace pushback {
 namespace {
 
-/// v and w, or x and theta, of as many bodies as there are lanes.
+/// v and w, or displacement and turn, of one body per lane.
 template <class Lanes>
 struct Motions {
   Vec<Lanes> v, w;
 };
 
-/// As many rows as a register has numbers; in two halves of 16 bytes, across which only few instructions move anything.
+/// A square matrix with one register per row. Each register has two halves of 16 bytes, because few instructions move numbers
+/// between them.
 template <class Real>
 struct Square {
   static constexpr int width = 32 / sizeof(Real), half = width / 2;
   using Row [[gnu::vector_size(32), gnu::may_alias]] = Real;
   Row rows[width];
 
-  /// Rows become columns: first in each quarter, then the two quarters beside the diagonal change places.
+  /// Transposes each quarter, then swaps the two quarters off the diagonal.
   [[gnu::always_inline]] void transpose() { transpose(std::make_integer_sequence<int, width>()); }
 
  private:
@@ -34,7 +35,7 @@ struct Square {
       for (int first = 0; first < width; first += half) {
         Row before[half];
         for (int row = 0; row < half; ++row) before[row] = rows[first + row];
-        for (int row = 0; row < half / 2; ++row) {  // as two hands of cards are shuffled
+        for (int row = 0; row < half / 2; ++row) {  // interleaves two rows
           const Row p = before[row], q = before[row + half / 2];
           rows[first + 2 * row] = __builtin_shufflevector(p, q, (i / half * half + i % half / 2 + i % 2 * width)...);
           rows[first + 2 * row + 1] =
@@ -49,7 +50,8 @@ struct Square {
   }
 };
 
-/// Twists of as many bodies as a register has numbers. Transposed, there is a row for each number of a twist, a lane for each body.
+/// Twists of as many bodies as a register has numbers. After `transpose`, each row has one number of all twists, a lane for
+/// each body.
 template <class Real>
 struct Twists {
   static constexpr int bodies = Square<Real>::width, squares = 8 / bodies;
@@ -67,7 +69,7 @@ struct Twists {
     for (int i = 0; i < squares; ++i) reinterpret_cast<Row*>(&to)[i] = part[i].rows[body];
   }
 };
-/// Whether lanes are just such a register. Then a transposition takes half the time of going number by number.
+/// Whether the lanes fill one such register. Then transposing takes half the time of gathering number by number.
 template <class Lanes, class Real>
 constexpr bool fill_a_register =
     int(Lanes::size()) == Square<Real>::width && sizeof(Lanes) == sizeof(typename Square<Real>::Row) &&
@@ -87,7 +89,7 @@ template <class Lanes, class Real>
   }
 }
 
-/// What nothing moves is not written: other bundles of the set have it, too.
+/// Immovable bodies are not written, because other bundles of the set may contain them as well.
 template <class Lanes, class Real>
 [[gnu::always_inline]] inline void put(const Motions<Lanes>& motion, const int* which, const Real* inverse_masses,
                                        Twist<Real>* bodies) {

@@ -1,4 +1,4 @@
-/// What a contact goes along with, while bodies move and are not detected again.
+/// Which body turns the normal of a contact, while bodies move and contacts are not detected again.
 #pragma once
 
 #include <algorithm>
@@ -10,19 +10,20 @@
 
 namespace pushback {
 
-/// A face turns its normal with it, and a point of the other body stays on it. Two round bodies touch between their cores. Edges that
-/// cross do neither: their rows are carried, as in chapter 21.
+/// face_a, face_b: the normal is that of a face and turns with its body, and the contact is a point of the other body. cores:
+/// the normal points from one round body's core to the other's. none: two edges cross. Then the normal stays as detected, as in
+/// chapter 21.
 enum class NormalSource { none, face_a, face_b, cores };
 
-/// m, from the core of a body, a point or a line, to its surface; 0 for a polyhedron.
+/// m: the radius of a sphere or capsule, whose core is a point or a line. 0 for a polyhedron.
 inline Real radius_of(const Body& body) {
   if (const auto* ball = std::get_if<Sphere>(&body.shape)) return ball->radius;
   if (const auto* capsule = std::get_if<Capsule>(&body.shape)) return capsule->radius;
   return 0;
 }
-/// Whether `n`, world axes, is the normal of a face of the body, but for rounding.
+/// Whether `n`, world axes, is the normal of a face of the body, to rounding.
 inline bool has_face(const Body& body, const Vec3& n) {
-  if (std::holds_alternative<HalfSpace>(body.shape)) return true;  // which has no other
+  if (std::holds_alternative<HalfSpace>(body.shape)) return true;  // a half-space has no other normal
   const Vec3 on_body = body.orientation.conjugate() * n;
   constexpr Real same = 1 - 64 * std::numeric_limits<Real>::epsilon();
   if (std::holds_alternative<Box>(body.shape)) return on_body.cwiseAbs().maxCoeff() > same;
@@ -31,8 +32,8 @@ inline bool has_face(const Body& body, const Vec3& n) {
          std::any_of(hull->solid->faces.begin(), hull->solid->faces.end(),
                      [&on_body](const Polyhedron::Face& face) { return face.normal.dot(on_body) > same; });
 }
-/// Of two faces that lie on each other, the one that nothing moves, or else the one with the longer arms, has the normal: corners
-/// of the smaller one lie on the larger. `reach`: the longest arm, m.
+/// If two faces lie on each other, the immovable one has the normal, or else the larger one, on which corners of the smaller
+/// one lie. `reach_a`, `reach_b`: the longest arms, m.
 inline NormalSource normal_source_of(const Body& a, const Body& b, const Vec3& n, Real reach_a, Real reach_b) {
   if (radius_of(a) > 0 && radius_of(b) > 0) return NormalSource::cores;
   const bool face_of_a = has_face(a, n), face_of_b = has_face(b, -n);

@@ -1,4 +1,5 @@
-/// Lanes for a compiler without <experimental/simd>, as that of the pages is: one, however many are asked for. The bits are the same.
+/// Lanes for compilers without <experimental/simd>, such as the one for web pages. There is only one lane, whatever the width,
+/// with the same bits.
 ///
 /// In an anonymous namespace, as lanes.h.
 #pragma once
@@ -16,7 +17,7 @@ struct ElementAligned {};
 constexpr ElementAligned element_aligned;
 }  // namespace simd
 
-/// A number, with as much of the interface of std::experimental::simd as the passes use.
+/// A number with the part of std::experimental::simd's interface that the passes use.
 template <class Real>
 class OneLane {
  public:
@@ -45,7 +46,7 @@ class OneLane {
   friend OneLane max(const OneLane& p, const OneLane& q) { return std::max(p.number_, q.number_); }
   friend Real hmax(const OneLane& of) { return of.number_; }
 
-  /// where(mask, lanes) = values: assigns where the mask holds.
+  /// where(mask, lanes) = values assigns in the lanes in which the mask is true.
   class Where {
    public:
     Where(bool holds, OneLane& lane) : holds_(holds), lane_(lane) {}

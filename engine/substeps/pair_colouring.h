@@ -1,4 +1,4 @@
-/// Which pairs of bodies may be solved side by side.
+/// Graph colouring: which pairs of bodies can be solved at the same time.
 #pragma once
 
 #include <algorithm>
@@ -10,15 +10,15 @@
 
 namespace pushback {
 
-/// Two bodies that touch: `count` contacts that follow each other in the world's list, from `first` on.
+/// Two bodies that touch. Their `count` contacts follow each other in World::contacts, from `first` on.
 struct TouchingPair {
   std::size_t a, b;  ///< their indices
   std::size_t first, count;
 };
-/// Sets are solved one after the other, the pairs of a set side by side.
+/// Sets are solved one after the other, the pairs of a set at the same time.
 using PairSets = std::vector<std::vector<TouchingPair>>;
 
-/// In the order of the contacts.
+/// All pairs, in the order of the contacts.
 inline std::vector<TouchingPair> touching_pairs(const Contacts& contacts) {
   std::vector<TouchingPair> pairs;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -29,10 +29,10 @@ inline std::vector<TouchingPair> touching_pairs(const Contacts& contacts) {
   return pairs;
 }
 
-/// No two pairs of a set have a movable body in common, so that nothing one of them does is read by another: greedily, in the
-/// order of the pairs. A body has room for 64 colours; each pair beyond is alone in its set.
+/// Greedy colouring, in the order of the pairs. No two pairs of a set have a movable body in common, so no pair reads what
+/// another one writes. There are 64 colours. Each further pair gets a set of its own.
 ///
-/// Within a set, pairs with more contacts come first: those side by side then have equally many.
+/// Within a set, pairs with more contacts come first, so that the pairs of a bundle have nearly the same number.
 inline PairSets colour_pairs(const std::vector<TouchingPair>& pairs, const World& world) {
   constexpr int room = 64;
   std::vector<std::uint64_t> taken(world.bodies.size(), 0);  // of each body: a bit for each colour

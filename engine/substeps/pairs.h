@@ -1,4 +1,4 @@
-/// As many pairs of bodies as there are lanes, and their rows.
+/// Pairs of bodies and their rows, one pair per lane.
 ///
 /// In an anonymous namespace, as lanes.h.
 #pragma once
@@ -8,7 +8,7 @@
 namespace pushback {
 namespace {
 
-/// J and M^-1 J^T of a row, of as many pairs as there are lanes.
+/// J and M^-1 J^T of a row of each pair.
 template <class Lanes>
 struct LanesOfRow {
   Vec<Lanes> n, ra_n, rb_n, dwa, dwb;
@@ -21,7 +21,8 @@ struct LanesOfRow {
         dwb(load<Lanes>(row.dwb, at)) {}
 };
 
-/// As many pairs of bodies, copied side by side. Inlined in any case: what is in memory instead of a register takes a third longer.
+/// The velocities of pairs of bodies, copied into lanes. The functions are always inlined, because a pass takes a third longer
+/// if the lanes are in memory instead of registers.
 template <class Lanes>
 struct Pairs {
   Motions<Lanes> a, b;
@@ -33,7 +34,7 @@ struct Pairs {
         b(fetch<Lanes>(bundle.b + at, bodies)),
         inverse_mass_a(load<Lanes>(bundle.inverse_mass_a, at)),
         inverse_mass_b(load<Lanes>(bundle.inverse_mass_b, at)) {}
-  /// J V; of displacements: in m.
+  /// J V, m/s; for displacements, m.
   [[gnu::always_inline]] Lanes along(const LanesOfRow<Lanes>& row) const {
     return dot(row.n, b.v - a.v) + (dot(row.rb_n, b.w) - dot(row.ra_n, a.w));
   }
@@ -51,28 +52,28 @@ struct Pairs {
   }
 };
 
-/// I^-1 of these bodies as they lie now.
+/// The present I^-1 of these bodies, world axes.
 template <class Lanes, class Real>
 Symmetric<Lanes> fetch(const int* which, const Inertia<Real>* inertias) {
   const auto each = [&](int number) { return Lanes([&](int i) { return inertias[which[i]].values[number]; }); };
   return {each(0), each(1), each(2), each(3), each(4), each(5)};
 }
 
-/// `act(bundle, at)` for each bundle, in the order of the list; lanes from `at` on.
+/// Calls `act(bundle, at)` for each bundle in the order of the list. `at`: the first of the lanes.
 template <class Lanes, class Real, class Act>
 void each_bundle(const BundleRange<Real>& all, const Act& act) {
   for (int i = 0; i < all.count; ++i)
     for (int at = 0; at < lanes_per_bundle; at += int(Lanes::size())) act(all.bundles[i], at);
 }
 
-/// What the two bodies of a pair have to do with any row of theirs.
+/// The arms, inertias and masses from which all rows of a contact are built.
 template <class Lanes>
 struct PairGeometry {
   Vec<Lanes> arm_a, arm_b;
   Symmetric<Lanes> inverse_inertia_a, inverse_inertia_b;
   Lanes inverse_masses;
 };
-/// J and M^-1 J^T of a row along `n`. Returns K, 1/kg.
+/// Writes J and M^-1 J^T of a row along `n`. Returns K, 1/kg.
 template <class Lanes, class Real>
 Lanes make_row(WideRow<Real>& row, const Vec<Lanes>& n, const PairGeometry<Lanes>& geometry, int at) {
   const Vec<Lanes> ra_n = cross(geometry.arm_a, n), rb_n = cross(geometry.arm_b, n);
@@ -84,14 +85,14 @@ Lanes make_row(WideRow<Real>& row, const Vec<Lanes>& n, const PairGeometry<Lanes
   return geometry.inverse_masses + (dot(rb_n, dwb) + dot(ra_n, dwa));
 }
 
-/// 1 / k, kg, of both tangents: k is the larger eigenvalue (chapter 08).
+/// 1 / k, kg, of both tangents. k is the larger eigenvalue of their block (chapter 08).
 template <class Lanes>
 Lanes step_size_of(const LanesOfRow<Lanes>& tangent1, const LanesOfRow<Lanes>& tangent2, const Lanes& k11,
                    const Lanes& k22) {
   const Lanes k12 = dot(tangent2.rb_n, tangent1.dwb) + dot(tangent2.ra_n, tangent1.dwa), half = (k11 - k22) / 2;
   return 1 / ((k11 + k22) / 2 + sqrt(half * half + k12 * k12));
 }
-/// What the impulses of a contact give its pair, `times` over.
+/// Applies `times` the impulses of a contact to the velocities of its pair.
 template <class Lanes, class Real>
 void give(Pairs<Lanes>& given, const Bundle<Real>& bundle, const WideContact<Real>& contact, const Lanes& times,
           int at) {
@@ -99,7 +100,7 @@ void give(Pairs<Lanes>& given, const Bundle<Real>& bundle, const WideContact<Rea
   given.apply(times * load<Lanes>(contact.tangent1.impulse, at), {bundle.tangent1, contact.tangent1, at});
   given.apply(times * load<Lanes>(contact.tangent2.impulse, at), {bundle.tangent2, contact.tangent2, at});
 }
-/// N s, on B, world axes.
+/// The impulse of a contact, N s, on B, world axes.
 template <class Lanes, class Real>
 Vec<Lanes> impulse_of(const Bundle<Real>& bundle, const WideContact<Real>& contact, int at) {
   return load<Lanes>(contact.normal.impulse, at) * load<Lanes>(bundle.n, at) +

@@ -1,4 +1,4 @@
-/// The passes of chapter 21 over its contacts, with `Real` replaced by lanes.
+/// The passes over contacts: those of chapter 21, for several pairs at a time.
 ///
 /// In an anonymous namespace, as lanes.h.
 #pragma once
@@ -10,7 +10,7 @@
 namespace pushback {
 namespace {
 
-/// Once in a step: the rows, and what the impulses that they start from give the bodies.
+/// Once per step: builds the rows, and applies the initial impulses.
 template <class Lanes, class Real>
 void prepare(const BundleRange<Real>& all) {
   each_bundle<Lanes>(all, [&](const Bundle<Real>& bundle, int at) {
@@ -41,7 +41,7 @@ void prepare(const BundleRange<Real>& all) {
   });
 }
 
-/// J V + b + gamma lambda = 0.
+/// Sets the equation of the normal row, J V + b + gamma lambda = 0.
 template <class Lanes, class Real>
 void set_equation(WideContact<Real>& contact, const Lanes& bias, const Lanes& gamma_by_K, int at) {
   const Lanes rigid = load<Lanes>(contact.rigid_mass, at);
@@ -52,7 +52,7 @@ void set_equation(WideContact<Real>& contact, const Lanes& bias, const Lanes& ga
   store(Lanes(rigid / (1 + gamma_by_K)), contact.mass, at);
 }
 
-/// A bounce within a substep: Bounce of chapter 21.
+/// A bounce within a substep: Bounce of chapter 21, which derives the formulas.
 template <class Lanes>
 struct WideBounce {
   Lanes way, speed;
@@ -67,11 +67,11 @@ struct WideBounce {
   }
 };
 
-/// m/s: a row that asks for no more than this does nothing. See KeptContact of chapter 21.
+/// m/s: a normal row with this bias never acts. See KeptContact of chapter 21.
 template <class Real>
 constexpr Real free_speed = Real(1e9);
 
-/// C = C_0 + J dX, and what each normal is to do in a substep. Returns the fastest bounce, m/s.
+/// Computes C = C_0 + J dX, and sets the equation of each normal for a substep. Returns the fastest bounce, m/s.
 template <class Lanes, class Real>
 Real prepare_substep(const BundleRange<Real>& all, const WidePushOut<Real>& push_out) {
   Real fastest = 0;
@@ -119,7 +119,7 @@ void relax(const BundleRange<Real>& all) {
   });
 }
 
-/// Returns by how much it changed the speed, m/s.
+/// Returns the change of the speed, m/s.
 template <class Lanes, class Real>
 [[gnu::always_inline]] inline Lanes solve_normal_of(const Bundle<Real>& bundle, WideContact<Real>& contact,
                                                     Pairs<Lanes>& pairs, int at) {
@@ -136,7 +136,7 @@ template <class Lanes, class Real>
   return change;
 }
 
-/// `last`: of a substep, so that impulses are what they stay.
+/// `last`: it is the last pass of a substep, so the impulses are final and are added to the sum.
 template <class Lanes, class Real, bool last>
 void solve_friction_of(const Bundle<Real>& bundle, WideContact<Real>& contact, Pairs<Lanes>& pairs, int at) {
   const LanesOfRow<Lanes> row1(bundle.tangent1, contact.tangent1, at), row2(bundle.tangent2, contact.tangent2, at);
@@ -162,8 +162,9 @@ void solve_friction_of(const Bundle<Real>& bundle, WideContact<Real>& contact, P
   }
 }
 
-/// `act(bundle, contact, pairs, at)` for each contact of each bundle, of two bundles in turn: while a contact waits for what the one
-/// before it has done to their bodies, the processor does one of other bodies. All bundles are of one set.
+/// Calls `act(bundle, contact, pairs, at)` for each contact of each bundle, alternating between two bundles: while a contact
+/// waits for the velocities that the contact before it changes, the processor solves one of other bodies. All bundles must be
+/// of one set.
 template <class Lanes, class Real, class Act>
 void two_at_a_time(const BundleRange<Real>& all, const Act& act) {
   constexpr int parts = lanes_per_bundle / int(Lanes::size());
@@ -194,7 +195,7 @@ Real solve_normals(const BundleRange<Real>& all) {
                __attribute__((always_inline)) { change = max(change, solve_normal_of(bundle, contact, pairs, at)); });
   return hmax(change);
 }
-/// After all normals: what holds a body has to know how it is pressed.
+/// After all normals, because the friction limit depends on the normal impulse.
 template <class Lanes, class Real>
 void solve_friction(const BundleRange<Real>& all) {
   two_at_a_time<Lanes>(all, solve_friction_of<Lanes, Real, false>);
@@ -205,7 +206,7 @@ void solve_friction_and_sum(const BundleRange<Real>& all) {
   two_at_a_time<Lanes>(all, solve_friction_of<Lanes, Real, true>);
 }
 
-/// What a substep in which something bounces starts from; and from there the next one is to start as well.
+/// Stores the initial impulses of a substep with a bounce. `restore_impulses` makes the next substep start from them as well.
 template <class Lanes, class Real>
 void save_impulses(const BundleRange<Real>& all) {
   each_bundle<Lanes>(all, [&](const Bundle<Real>& bundle, int at) {

@@ -1,5 +1,6 @@
-// Compiled with -mavx2, and called only where the processor has that. Nothing of Eigen, of the standard library's containers or
-// of our own headers with functions is included: the linker keeps one copy of an inline function, and it may keep this file's.
+// Compiled with -mavx2, and called only on processors with AVX2. It must not include Eigen, containers of the standard library
+// or other headers with inline functions. The linker keeps one copy of an inline function, and if that were this file's, other
+// processors would fail.
 #include "pushback/engine/substeps/passes.h"
 
 namespace pushback {

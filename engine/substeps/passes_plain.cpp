@@ -1,4 +1,4 @@
-// For any processor: eight lanes are as many registers as it takes.
+// For any processor. Eight lanes take as many registers as they need.
 #include "pushback/engine/substeps/passes.h"
 
 namespace pushback {

@@ -1,4 +1,4 @@
-/// Rows of bodies that have moved and turned since they were detected.
+/// Rebuilds the rows of pairs that have moved and turned since detection.
 ///
 /// In an anonymous namespace, as lanes.h.
 #pragma once
@@ -9,12 +9,12 @@
 namespace pushback {
 namespace {
 
-/// Pairs whose rows are to be placed anew, as they are now.
+/// The present state of pairs whose rows are rebuilt.
 template <class Lanes>
 struct RowRebuild {
-  Pairs<Lanes> velocity, displacement;  // now; since detection
-  Pairs<Lanes> impulse_velocity;        // the velocity that the impulses of the rows have given
-  PairGeometry<Lanes> geometry;         // with the inertias of now
+  Pairs<Lanes> velocity, displacement;  // displacement: since detection
+  Pairs<Lanes> impulse_velocity;        // that the impulses of the rows add
+  PairGeometry<Lanes> geometry;         // with the present inertias
 };
 template <class Lanes, class Real>
 void keep(const typename Lanes::mask_type& placed, const Lanes& number, EightNumbers<Real>& in, int at) {
@@ -24,7 +24,7 @@ template <class Lanes, class Real>
 void keep(const typename Lanes::mask_type& placed, const Vec<Lanes>& vectors, EightVectors<Real>& in, int at) {
   store(select(placed, vectors, load<Lanes>(in, at)), in, at);
 }
-/// Rows and their numbers, of those that are `placed`; and what the impulses that they have give.
+/// Updates the effective masses and C_0 of a contact whose rows have been rebuilt, in the lanes of `placed`.
 template <class Lanes, class Real>
 void update_contact(const Bundle<Real>& bundle, WideContact<Real>& contact, const typename Lanes::mask_type& placed,
                     const Lanes& C, const Lanes& K, const Lanes& k11, const Lanes& k22, RowRebuild<Lanes>& pairs,
@@ -37,9 +37,10 @@ void update_contact(const Bundle<Real>& bundle, WideContact<Real>& contact, cons
   keep(here, Lanes(C - pairs.displacement.along(normal)), contact.found, at);
 }
 
-// ---- carried, as in chapter 21 ---------------------------------------------------------------------------------------
+// ---- rows with the normal as detected, as in chapter 21 ---------------------------------------------------------------
 
-/// A row of bodies that have moved past each other by `way`: one point for both again, chapter 12. Returns K.
+/// A row of bodies that have moved past each other by `way`, m. Gives both bodies one common point again (chapter 12). Returns
+/// K, 1/kg.
 template <class Lanes, class Real>
 Lanes carry_row(WideRow<Real>& row, const Vec<Lanes>& n, const Vec<Lanes>& way, const typename Lanes::mask_type& placed,
                 RowRebuild<Lanes>& pairs, int at) {
@@ -71,13 +72,13 @@ void carry_pair(const BundleRange<Real>& all, Bundle<Real>& bundle, const typena
     const Lanes K = carry_row(contact.normal, load<Lanes>(bundle.n, at), way, placed, pairs, at);
     const Lanes k11 = carry_row(contact.tangent1, load<Lanes>(bundle.tangent1, at), way, placed, pairs, at);
     const Lanes k22 = carry_row(contact.tangent2, load<Lanes>(bundle.tangent2, at), way, placed, pairs, at);
-    update_contact(bundle, contact, placed, C, K, k11, k22, pairs, at);  // as near as they were
+    update_contact(bundle, contact, placed, C, K, k11, k22, pairs, at);  // the separation stays
   }
 }
 
-// ---- riding ------------------------------------------------------------------------------------------------------------
+// ---- rows that follow the bodies --------------------------------------------------------------------------------------
 
-/// A turn about theta, rad, by 2 atan(|theta| / 2): that is |theta| but for |theta|^3 / 12.
+/// The turn about theta, rad, by 2 atan(|theta| / 2), which is |theta| except for |theta|^3 / 12.
 template <class Lanes>
 Orientation<Lanes> turn_by(const Vec<Lanes>& theta) {
   const Vec<Lanes> v = Lanes(typename Lanes::value_type(0.5)) * theta;
@@ -97,19 +98,20 @@ Orientation<Lanes> select(const typename Lanes::mask_type& so, const Orientation
   return {select(so, yes.v, no.v), select(so, yes.s, no.s)};
 }
 
-/// By how much a turn moves a point, m. Not as a difference of two points: far from the centre, that of a float is no length.
+/// The displacement of a point by a turn, m. Computed directly, because the difference of two points far from the centre would
+/// be rounded too much in float.
 template <class Lanes>
 Vec<Lanes> shifted(const Orientation<Lanes>& turn, const Vec<Lanes>& point) {
   const Vec<Lanes> twice = Lanes(2) * cross(turn.v, point);
   return turn.s * twice + cross(turn.v, twice);
 }
 
-/// How pairs have turned since detection, and where their contacts are by now.
+/// The turns of pairs since detection, and the present positions of their contacts.
 template <class Lanes>
 struct Riding {
-  typename Lanes::mask_type face_a, face_b;  // where n turns with A, with B; elsewhere it lies between two cores
+  typename Lanes::mask_type face_a, face_b;  // n turns with A, with B. In other lanes it points from core to core
   Orientation<Lanes> turn_a, turn_b;
-  Vec<Lanes> way, found_n;  // by which B has moved past A; n as detected
+  Vec<Lanes> way, found_n;  // displacement of B minus that of A; n as detected
   Lanes radius_a, radius_b;
 
   /// As detected: the arms to both surfaces and to both cores, and the gap.
@@ -119,17 +121,17 @@ struct Riding {
   };
   template <class Real>
   Found found(const WidePoint<Real>& point, int at) const {
-    const Vec<Lanes> arm_a = load<Lanes>(point.arm_a, at), arm_b = load<Lanes>(point.arm_b, at);  // midway between them
+    const Vec<Lanes> arm_a = load<Lanes>(point.arm_a, at), arm_b = load<Lanes>(point.arm_b, at);  // to their midpoint
     const Lanes gap = load<Lanes>(point.gap, at), half = gap / 2;
     return {arm_a - half * found_n, arm_b + half * found_n, arm_a - (radius_a + half) * found_n,
             arm_b + (radius_b + half) * found_n, gap};
   }
-  /// From the n that was detected to that of now.
+  /// The turn from the detected n to the present one.
   Orientation<Lanes> turn_of_normal(const Found& point) const {
     const Vec<Lanes> line = (radius_a + radius_b + point.gap) * found_n + way + shifted(turn_b, point.core_b) -
                             shifted(turn_a, point.core_a);
     const Lanes length = sqrt(dot(line, line));
-    const auto ahead = 2 * dot(line, found_n) > length;  // cores that pass through each other leave n where it was
+    const auto ahead = 2 * dot(line, found_n) > length;  // if cores have passed through each other, n stays
     const Vec<Lanes> n = select(ahead, (Lanes(1) / length) * line, found_n);
     return select(face_a, turn_a, select(face_b, turn_b, turn_between(found_n, n)));
   }
@@ -148,7 +150,7 @@ struct Riding {
   }
 };
 
-/// J and M^-1 J^T along `n`, of those that are `placed`. Returns K, 1/kg.
+/// Writes J and M^-1 J^T of a row along `n`, in the lanes of `placed`. Returns K, 1/kg.
 template <class Lanes, class Real>
 Lanes ride(WideRow<Real>& row, const Vec<Lanes>& n, const PairGeometry<Lanes>& geometry,
            const typename Lanes::mask_type& placed, int at) {
@@ -160,7 +162,7 @@ Lanes ride(WideRow<Real>& row, const Vec<Lanes>& n, const PairGeometry<Lanes>& g
   keep(placed, load<Lanes>(anew.dwb, at), row.dwb, at);
   return K;
 }
-/// n, both arms and C follow the bodies:
+/// Makes n, both arms and C follow the bodies:
 ///
 ///   a corner, or a round body, on a face:   n turns with the face,   P is a point of the other body
 ///   two round bodies:                       n is the direction from core to core
@@ -175,8 +177,8 @@ void ride(const BundleRange<Real>& all, Bundle<Real>& bundle, const typename Lan
                              .found_n = load<Lanes>(bundle.found_n, at),
                              .radius_a = load<Lanes>(bundle.radius_a, at),
                              .radius_b = load<Lanes>(bundle.radius_b, at)};
-  const Lanes once = select(placed, Lanes(1), Lanes(0));  // a lane beside them keeps its bits
-  for (int c = bundle.first; c < bundle.end; ++c) {  // what has been given along the n of before is summed along it
+  const Lanes once = select(placed, Lanes(1), Lanes(0));  // other lanes keep their bits
+  for (int c = bundle.first; c < bundle.end; ++c) {       // impulses so far are summed along the n that they had
     WideContact<Real>& contact = all.contacts[c];
     give(pairs.impulse_velocity, bundle, contact, Lanes(-once), at);
     add(once * impulse_of<Lanes>(bundle, contact, at), contact.sum, at);
@@ -201,9 +203,9 @@ void ride(const BundleRange<Real>& all, Bundle<Real>& bundle, const typename Lan
   }
 }
 
-// ---- which ---------------------------------------------------------------------------------------------------------------
+// ---- the pass -------------------------------------------------------------------------------------------------------------
 
-/// After the bodies have moved: of pairs that have passed each other or turned far enough the rows are placed anew.
+/// After the bodies have moved: rebuilds the rows of pairs that have moved past each other, or turned, far enough.
 template <class Lanes, class Real>
 void rebuild_rows(const BundleRange<Real>& all) {
   each_bundle<Lanes>(all, [&](Bundle<Real>& bundle, int at) {
@@ -216,14 +218,14 @@ void rebuild_rows(const BundleRange<Real>& all) {
                 by_b = dot(turned_b, turned_b);
     const auto passes = dot(passed, passed) >= least,
                turns = reach_a * reach_a * by_a >= least || reach_b * reach_b * by_b >= least;
-    // Impulses that turned by more than this in one substep, rad, squared, would throw the bodies: such a pair is carried.
+    // rad^2. If n turned by more than this in one substep, the stored impulses would throw the bodies. Then n stays as it is.
     const Lanes at_once(typename Lanes::value_type(0.0625));
     const auto rides =
         load<Lanes>(bundle.face_a, at) + load<Lanes>(bundle.face_b, at) + load<Lanes>(bundle.cores, at) > 0 &&
         by_a < at_once && by_b < at_once;
     const auto placed = passes || turns;
     if (none_of(placed)) return;
-    Lanes bounce = 0;  // an impact is at one instant: the relaxing pass ends it along the n with which it began
+    Lanes bounce = 0;  // an impact takes no time, so the relaxing pass needs the n of its beginning
     for (int c = bundle.first; c < bundle.end; ++c) bounce = bounce + load<Lanes>(all.contacts[c].bounce, at);
     const auto ridden = placed && rides && bounce >= 0, carried = placed && !ridden;
     RowRebuild<Lanes> pairs{.velocity = Pairs<Lanes>(bundle, all.velocities, at),

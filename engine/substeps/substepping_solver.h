@@ -1,4 +1,4 @@
-/// Shared by the two solvers that detect contacts once per step: this chapter's, and chapter 22's.
+/// The common base of the two solvers that detect contacts once per step: chapter 21's and chapter 22's.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ struct PushOut {
   Real rate;        ///< k / (c + h k), 1/s
   Real gamma_by_K;  ///< gamma / K
   Real fastest;     ///< m/s
-  Real threshold;   ///< m/s; what arrives slower does not bounce
+  Real threshold;   ///< m/s; slower contacts do not bounce
 };
 
 /// The state that a picture shows at a contact point. `known`: the step before had this contact.
@@ -24,13 +24,14 @@ template <class Scalar>
 ContactState state_of(bool known, Scalar friction, Scalar pushed, Scalar rubbed1, Scalar rubbed2) {
   if (!known) return ContactState::fresh;
   if (friction == 0) return ContactState::warm;
-  constexpr Scalar rounding = 16 * std::numeric_limits<Scalar>::epsilon();  // of what was drawn back to the edge
+  constexpr Scalar rounding = 16 * std::numeric_limits<Scalar>::epsilon();  // of a projection to the cone
   const bool held = std::sqrt(rubbed1 * rubbed1 + rubbed2 * rubbed2) < (1 - rounding) * friction * pushed;
   return held ? ContactState::sticking : ContactState::sliding;
 }
 
-/// An impulse of the step before, N s, projected into the friction cone about a normal that may have turned since: a substep in
-/// which a contact bounces restores the impulses that it started from, and would restore them outside of the cone.
+/// An impulse of the step before, N s, moved into the friction cone, because the normal may have turned since. The tangential
+/// part is shortened, and an impulse that pulls becomes 0. A substep with a bounce restores its initial impulses, so these must
+/// be in the cone.
 inline Vec3 clamped_to_cone(const Vec3& impulse, const Vec3& n, Real friction) {
   const Real pressed = std::max(Real(0), impulse.dot(n));
   const Vec3 rubbed = impulse - impulse.dot(n) * n;
@@ -38,19 +39,21 @@ inline Vec3 clamped_to_cone(const Vec3& impulse, const Vec3& n, Real friction) {
   return pressed * n + (size > friction * pressed ? friction * pressed / size : 1) * rubbed;
 }
 
-/// The settings of a solver that divides its steps, and its plan: one sweep a substep, and a margin ahead of which contacts
-/// are detected, so that bodies that come to touch within the step have rows.
+/// The settings and the plan of a solver that divides its steps: one sweep per substep. Contacts are detected within a margin,
+/// so that bodies that touch later in the step have rows.
 struct SubsteppingSolver : StepSolver {
-  int substeps =
-      32;  ///< of a step of `reference_step`: a longer one has more, a shorter one fewer, so contacts are as stiff
-  Real reference_step = 0;      ///< s; 0: of every step, however long
-  Real margin = Real(0.02);     ///< m, added to the distance that a pair may approach in one step
-  Real threshold = Real(0.1);   ///< m/s; what arrives slower does not bounce
-  Real precision = Real(1e-6);  ///< to which normals are solved while something bounces, of the fastest bounce,
-  int most_rounds = 100;        ///< or until they have been solved so often
-  Real recheck_speed =
-      std::numeric_limits<Real>::infinity();  ///< m/s; or until no pass changes a speed by more than that
-  SoftContacts spring;                        ///< chapter 12's: hertz, damping ratio, fastest push-out
+  /// The substeps of a step of `reference_step`, s. A longer step has more and a shorter one fewer, so contacts are equally
+  /// stiff. If reference_step is 0, every step has so many, however long it is.
+  int substeps = 32;
+  Real reference_step = 0;
+  Real margin = Real(0.02);    ///< m, added to the distance by which a pair may approach in one step
+  Real threshold = Real(0.1);  ///< m/s; slower contacts do not bounce
+  /// In a substep with a bounce, normals are solved until no speed changes by more than this fraction of the fastest bounce.
+  Real precision = Real(1e-6);
+  /// m/s: in other substeps, normals are solved again if a pass has changed a speed by more than this.
+  Real recheck_speed = std::numeric_limits<Real>::infinity();
+  int most_rounds = 100;  ///< passes over the normals in a sweep
+  SoftContacts spring;    ///< chapter 12's: hertz, damping ratio, fastest push-out
 
   bool supports_joints() const override { return true; }
   void check(World& world, Real h) override {
@@ -69,7 +72,7 @@ struct SubsteppingSolver : StepSolver {
   Plan plan(Real dt) const override {
     const Real parts = reference_step > 0 ? static_cast<Real>(substeps) * dt / reference_step * (1 - rounding)
                                           : static_cast<Real>(substeps);
-    // Whatever dt is: plan is asked before dt is checked.
+    // dt may be anything, because `plan` is called before dt is checked.
     const Real finite = parts < most_substeps ? parts : most_substeps;
     return {.substeps = std::max(1, static_cast<int>(std::ceil(finite))),
             .sweeps = 1,
@@ -103,8 +106,9 @@ struct SubsteppingSolver : StepSolver {
       act(i, scale * old->impulse);
     }
   }
-  /// `pass()` goes over the normals and says by how much it changed a speed, m/s. Once; where something bounces, as often as
-  /// it takes, as in chapter 09; and again after a pass that changes one by more than `recheck_speed`, unless such changes grow.
+  /// `pass()` solves all normals once and returns the largest change of a speed, m/s. It is called once, and then again up to
+  /// `most_rounds` times: in a substep with a bounce until `precision` is reached, as in chapter 09, otherwise while the change
+  /// is above `recheck_speed` and does not grow.
   template <class Pass>
   void solve_normals_until_solved(const Pass& pass) const {
     Real change = pass();
@@ -115,11 +119,11 @@ struct SubsteppingSolver : StepSolver {
   }
 
   std::vector<bool> known_;  // of each contact: whether the step before had it
-  Real fastest_ = 0;         // of what bounces in this substep, m/s; 0: nothing
+  Real fastest_ = 0;         // bounce of this substep, m/s; 0: there is none
 
  private:
-  static constexpr Real rounding = Real(1e-5);      // so much longer may a step be by chance
-  static constexpr Real most_substeps = Real(1e6);  // of a step, by `reference_step`
+  static constexpr Real rounding = Real(1e-5);      // a step that is longer by this fraction gets no further substep
+  static constexpr Real most_substeps = Real(1e6);  // in a step
   Rows no_rows_;
 };
 

@@ -12,11 +12,11 @@ namespace {
 
 void pause() {
 #ifdef __SSE__
-  _mm_pause();  // leaves the core's other work its share
+  _mm_pause();  // lets the other thread of the core run
 #endif
 }
 
-/// Until the value is another one: it turns around on the spot for a while, then it sleeps.
+/// Returns when the value has changed. Spins for a while, then sleeps.
 template <class Value>
 void wait_while(const std::atomic<Value>& is, Value value, int spins) {
   for (int i = 0; i < spins; ++i) {
@@ -33,10 +33,11 @@ int checked(int threads) {
   return threads;
 }
 
-/// So that who is done early has something left to take.
+/// More than one, so that a thread that is done early can take parts of others.
 constexpr std::size_t parts_a_thread = 4;
 
-/// About 0.1 ms where each thread has a core; none where one takes from another what it waits for.
+/// About 0.1 ms if each thread has a core. Otherwise 0, because spinning would take the core from the thread that is waited
+/// for.
 int spins_of(int threads) {
   return threads <= static_cast<int>(std::thread::hardware_concurrency()) ? 4000 : 0;
 }
@@ -87,7 +88,7 @@ void ThreadPool::wait_for_others() {
     wait_while(undone_, left, spins_);
 }
 
-/// Its own parts, then every other that nobody has begun.
+/// Runs the thread's own parts, then all parts that no thread has begun.
 void ThreadPool::take_parts(std::size_t first, unsigned round) {
   bool in_mode = first == 0;
   for (std::size_t i = 0; i < places_.size(); ++i) {

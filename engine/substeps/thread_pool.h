@@ -1,4 +1,4 @@
-/// Threads that share work whose parts are independent of each other.
+/// Threads that share work with independent parts.
 ///
 ///   WideSolver<float> solver;
 ///   solver.workers = std::make_shared<ThreadPool>(2);
@@ -16,23 +16,25 @@
 
 namespace pushback {
 
-/// Each thread takes the part of its own number first, then what others have not begun: nobody waits for a thread that sleeps.
-/// Parts are computed in the rounding mode of who calls. While it is at work, who calls it from elsewhere does the parts alone.
+/// Each thread runs its own parts first, then parts that other threads have not begun, so no thread waits for one that sleeps.
+/// Parts run in the rounding mode of the calling thread. If another thread calls the pool while it is at work, that thread runs
+/// its parts by itself.
 class ThreadPool : public Workers {
  public:
   static constexpr int most_threads = 256;
 
-  /// So many, of which the one that calls is the first. Throws InvalidInput unless there are 1 to `most_threads`.
+  /// `threads`: 1 to `most_threads`, including the calling thread. Throws InvalidInput for others. `always_split`: see Workers.
   explicit ThreadPool(int threads, bool always_split = false);
   ~ThreadPool() override;
   int threads() const { return static_cast<int>(others_.size()) + 1; }
 
  protected:
-  /// Until every part that somebody has begun is done.
+  /// Returns when all parts are done.
   virtual void wait_for_others();
 
  private:
-  /// On a cache line of its own: who takes one does not slow down who takes the next.
+  /// The state of a part. Each has a cache line of its own, so that threads that take different parts do not slow each other
+  /// down.
   struct alignas(64) Place {
     std::atomic<unsigned> state = 0;  // 2 n: free in round n; 2 n + 1: taken
     std::exception_ptr failed;
@@ -42,17 +44,17 @@ class ThreadPool : public Workers {
   void take_parts(std::size_t first, unsigned round);
 
   std::vector<Place> places_;
-  alignas(64) std::atomic<unsigned> round_ = 0;  // of work that is shared; the threads wait for the next
-  alignas(64) std::atomic<int> undone_ = 0;      // parts
+  alignas(64) std::atomic<unsigned> round_ = 0;  // the number of calls of `share`; the threads wait for the next one
+  alignas(64) std::atomic<int> undone_ = 0;      // parts that are not done
   std::atomic<bool> ending_ = false;
   std::atomic_flag busy_;
 
-  // Of this round. Who has taken a part may read it: the round cannot end before.
+  // Of this round. A thread may read these while it runs a part, because the round ends later.
   const std::function<void(std::size_t)>* act_ = nullptr;
   std::fenv_t mode_{};
 
   int spins_;
-  std::vector<std::thread> others_;  // the last: they end before what they use does
+  std::vector<std::thread> others_;  // the last member, so that the threads end before the members that they use
 };
 
 }  // namespace pushback

@@ -1,4 +1,4 @@
-/// Bodies that turn freely, side by side: `spin_freely` of common/world, where its equation is written, lane by lane.
+/// The free rotation of several bodies at a time: `spin_freely` of common/world, which explains the equation.
 ///
 /// In an anonymous namespace, as lanes.h.
 #pragma once
@@ -10,7 +10,7 @@
 namespace pushback {
 namespace {
 
-/// A unit quaternion: v has its vector part.
+/// A unit quaternion with the vector part v and the scalar part s.
 template <class Lanes>
 struct Orientation {
   Vec<Lanes> v;
@@ -22,7 +22,7 @@ template <class Lanes>
   const Vec<Lanes> twice = Lanes(2) * cross(q.v, p);
   return p + q.s * twice + cross(q.v, twice);
 }
-/// And back.
+/// From world axes into body axes.
 template <class Lanes>
 [[gnu::always_inline]] inline Vec<Lanes> rotated_back(const Orientation<Lanes>& q, const Vec<Lanes>& p) {
   const Vec<Lanes> twice = Lanes(2) * cross(q.v, p);
@@ -40,8 +40,9 @@ template <class Lanes>
   return {p.x * q.x, p.y * q.y, p.z * q.z};
 }
 
-/// p_m of p_m = p + h/2 p_m x w_m, where `d` has h/2 of the differences of the moments' inverses: p_m x w_m =
-/// (d.x p.y p.z, d.y p.z p.x, d.z p.x p.y). No lane waits for what its neighbours need: what is solved stays as it is.
+/// Solves p_m = p + h/2 p_m x w_m by Newton's method. `d` is h/2 times the differences of the inverse moments of inertia, so
+/// that h/2 p_m x w_m = (d.x p.y p.z, d.y p.z p.x, d.z p.x p.y). A lane that is solved stays as it is while others go on, so
+/// its bits do not depend on them.
 template <class Lanes>
 [[gnu::always_inline]] inline Vec<Lanes> midway(const Vec<Lanes>& p, const Vec<Lanes>& d,
                                                 typename Lanes::mask_type going) {
@@ -52,14 +53,14 @@ template <class Lanes>
   for (int i = 0; i < 8; ++i) {
     const Vec<Lanes> error{m.x - p.x - d.x * m.y * m.z, m.y - p.y - d.y * m.z * m.x, m.z - p.z - d.z * m.x * m.y};
     const Lanes xy = -d.x * m.z, xz = -d.x * m.y, yx = -d.y * m.z, yz = -d.y * m.x, zx = -d.z * m.y,
-                zy = -d.z * m.x;  // of a matrix with ones on its diagonal
+                zy = -d.z * m.x;  // the derivative, whose diagonal is 1
     const Lanes cxx = one - yz * zy, cxy = yz * zx - yx, cxz = yx * zy - zx;
     const Lanes by = one / (cxx + xy * cxy + xz * cxz);
     const Vec<Lanes> correction{by * (cxx * error.x + (xz * zy - xy) * error.y + (xy * yz - xz) * error.z),
                                 by * (cxy * error.x + (one - xz * zx) * error.y + (xz * yx - yz) * error.z),
                                 by * (cxz * error.x + (xy * zx - zy) * error.y + (one - xy * yx) * error.z)};
     const Lanes size = dot(correction, correction);
-    going = going && most >= size;  // not if it is no number
+    going = going && most >= size;  // false if it is not a number
     m = select(going, m - correction, m);
     going = going && size > least;
     if (none_of(going)) break;
@@ -75,7 +76,8 @@ template <class Lanes, class Real>
   store(q.s, to.s, at);
 }
 
-/// By h. What does not turn keeps its bits, and what is as heavy about any axis its w.
+/// Rotates the bodies for h, s. A body that does not rotate keeps its bits, and a body with equal moments of inertia keeps its
+/// w.
 template <class Lanes, class Real>
 void turn(EightRotations<Real>& all, Real h) {
   const Lanes zero(0), half(h / 2);
@@ -94,7 +96,7 @@ void turn(EightRotations<Real>& all, Real h) {
       store(Orientation<Lanes>{select(turns, after.v, q.v), select(turns, after.s, q.s)}, all, at);
     } else {
       const Vec<Lanes> p{spin.x / inverse.x, spin.y / inverse.y, spin.z / inverse.z};
-      const Vec<Lanes> momentum = rotated(q, p);  // stays where it is in the world
+      const Vec<Lanes> momentum = rotated(q, p);  // constant in world axes
       const Vec<Lanes> d = half * Vec<Lanes>{inverse.z - inverse.y, inverse.x - inverse.z, inverse.y - inverse.x};
       const Orientation<Lanes> after = turned(q, half * each_times(inverse, midway(p, d, tumbles)));
       const Vec<Lanes> p_after = rotated_back(after, momentum), spin_after = each_times(inverse, p_after);

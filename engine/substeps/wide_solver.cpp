@@ -14,7 +14,7 @@ Passes<Scalar> passes_of_this_processor(int lanes) {
 #ifdef PUSHBACK_AVX2
   if (__builtin_cpu_supports("avx2")) return avx2_passes<Scalar>(lanes > 0 ? lanes : 32 / int(sizeof(Scalar)));
 #endif
-  return plain_passes<Scalar>(lanes > 0 ? lanes : sizeof(Scalar) == 4 ? 4 : 1);  // what SSE2 is faster with
+  return plain_passes<Scalar>(lanes > 0 ? lanes : sizeof(Scalar) == 4 ? 4 : 1);  // the faster choice with SSE2
 }
 
 template <class Scalar, class JointEffect>
@@ -54,7 +54,7 @@ BundleRange<Scalar> WideSolver<Scalar, JointEffect>::bundles(std::size_t begin, 
           start_impulses_.data()};
 }
 
-/// `act(i)` for each of the bodies that touch. It changes nothing of any other.
+/// Calls `act(i)` for each body with contacts. `act` may change only the i-th body.
 template <class Scalar, class JointEffect>
 template <class Act>
 void WideSolver<Scalar, JointEffect>::each_body(const Act& act) {
@@ -62,13 +62,13 @@ void WideSolver<Scalar, JointEffect>::each_body(const Act& act) {
     for (std::size_t i = part.begin; i < part.end; ++i) act(i);
   });
 }
-/// `act(begin, end)` for parts of all bundles: it changes no body. Returns the largest of what it returns.
+/// Calls `act(begin, end)` for parts of all bundles. `act` must not change bodies. Returns the largest result.
 template <class Scalar, class JointEffect>
 template <class Act>
 Scalar WideSolver<Scalar, JointEffect>::each_bundle(const Act& act) {
   return largest_in(0, packed_.bundles.size(), act);
 }
-/// The same for the bundles of one set after the other: it changes the bodies of its bundles, and nobody else's.
+/// The same for one set of bundles after the other. `act` may change the bodies of its bundles.
 template <class Scalar, class JointEffect>
 template <class Act>
 Scalar WideSolver<Scalar, JointEffect>::set_by_set(const Act& act) {
@@ -148,8 +148,8 @@ void WideSolver<Scalar, JointEffect>::after_move(World& world, Real h) {
   joints.report(step);
 }
 
-/// Rows of bodies that have passed each other, or turned, far enough are placed anew. Where nothing floats and no body has moved by
-/// half of what the first pair may, there is nothing to do.
+/// Rebuilds the rows of pairs that have moved or turned far enough. There is nothing to do if no body floats and no body has
+/// moved by half of the smallest distance at which rows are rebuilt.
 template <class Scalar, class JointEffect>
 void WideSolver<Scalar, JointEffect>::rebuild_rows() {
   const Real within = rebuild_fraction * shortest_reach_ / 2;
@@ -166,7 +166,7 @@ void WideSolver<Scalar, JointEffect>::rebuild_rows() {
   set_by_set([&](std::size_t begin, std::size_t end) { passes.rebuild_rows(bundles(begin, end)); });
 }
 
-/// Velocities are copied into lanes, and only what the contacts have added is copied back: the velocity of a body on which no
+/// Velocities are copied into lanes, and only the changes by contacts are copied back. So the velocity of a body on which no
 /// contact acts keeps its bits.
 template <class Scalar, class JointEffect>
 void WideSolver<Scalar, JointEffect>::sweep(StepContext& step, void (*friction_pass)(const BundleRange<Scalar>&)) {
@@ -194,7 +194,7 @@ void WideSolver<Scalar, JointEffect>::sweep(StepContext& step, void (*friction_p
   rows_solved += 2 * packed_.locations.size();
 }
 
-/// An impact is over in one substep: the next one starts from the impulses that it started from.
+/// An impact is over in one substep. So the next substep starts from the same impulses as the substep of the impact.
 template <class Scalar, class JointEffect>
 void WideSolver<Scalar, JointEffect>::forget_impacts() {
   if (fastest_ > 0)

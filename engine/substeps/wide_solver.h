@@ -1,4 +1,4 @@
-/// Chapter 21's solver, eight pairs of bodies at a time.
+/// Chapter 21's solver for eight pairs of bodies at a time.
 ///
 ///   WideSolver<float> solver;
 ///   world.step(solver, 1.0 / 60);
@@ -13,24 +13,25 @@
 
 namespace pushback {
 
-/// The fastest passes that this processor can do; or for 1, 4 or 8 `lanes`, the same bits in another time.
+/// The fastest passes for this processor. If `lanes` is 1, 4 or 8, the passes use that number, with the same bits.
 template <class Scalar>
 Passes<Scalar> passes_of_this_processor(int lanes = 0);
 
-/// Rows and impulses are of the type Scalar, whatever Real is; positions are Real. Defined for float and double.
+/// Rows and impulses are of the type Scalar, positions are Real. Defined for float and double.
 ///
-/// Where the normal turns with a face, or lies between two round bodies, contacts ride: n, both arms and C follow the bodies in each
-/// substep. What floats keeps its angular momentum: there rows are placed anew however slowly a pair moves.
+/// If a contact normal turns with a face, or points from one round body to another, then n, both arms and C follow the bodies:
+/// see NormalSource. Rows are rebuilt once a pair has moved far enough. For islands that touch nothing immovable they are
+/// rebuilt in every substep, so that angular momentum is kept.
 template <class Scalar, class JointEffect = DirectTreeJoints>
 class WideSolver : public SubsteppingSolver {
  public:
   JointEffect joints;
-  Real rebuild_fraction = Real(1e-4);  ///< of a pair's longest arm: it moves so far and keeps its rows
+  Real rebuild_fraction = Real(1e-4);  ///< of a pair's longest arm: rows are rebuilt once the pair has moved so far
   Passes<Scalar> passes = passes_of_this_processor<Scalar>();
-  Passes<Real> body_passes = passes_of_this_processor<Real>();  ///< of bodies
-  /// The order in which pairs are solved; each set at once.
+  Passes<Real> body_passes = passes_of_this_processor<Real>();  ///< its `turn` rotates the bodies
+  /// Divides the pairs into sets, which are solved one after the other.
   PairSets (*make_sets)(const std::vector<TouchingPair>& pairs, const World& world) = colour_pairs;
-  /// Who does the bundles of a set, and what else falls into parts; null: this one alone.
+  /// The threads that share the bundles of a set and other independent work. Null: one thread.
   std::shared_ptr<Workers> workers;
 
   WideSolver() {
@@ -39,7 +40,7 @@ class WideSolver : public SubsteppingSolver {
   }
   Plan plan(Real dt) const override {
     Plan plan = SubsteppingSolver::plan(dt);
-    plan.moves_bodies = true;  // and reads I^-1 only of pairs whose rows are placed anew
+    plan.moves_bodies = true;  // it refreshes I^-1 itself, before rows are rebuilt
     plan.workers = workers ? workers.get() : &alone();
     return plan;
   }
@@ -57,7 +58,7 @@ class WideSolver : public SubsteppingSolver {
   SolveStats stats() const override { return measured_.value_or(measure()); }
 
  protected:
-  /// Writes the impulses so far, the depth and the state of the i-th contact.
+  /// Writes the impulses since detection, the depth and the state of the i-th contact.
   void write_back(Contact& contact, std::size_t i) const;
 
  private:
