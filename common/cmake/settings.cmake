@@ -44,7 +44,7 @@ function(compile_briefly)  # compile_briefly(TARGET...)
 endfunction()
 
 # Compiles several files as one, if they are unlikely to be edited. If you work on the libraries, you may want PUSHBACK_TOGETHER=OFF.
-# The sanitizers' build and clang-tidy compile each file separately, so they find missing headers.
+# clang-tidy and the check of definitions compile each file separately, so they find missing headers.
 function(compile_together)  # compile_together(TARGET...)
   set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ${PUSHBACK_TOGETHER} UNITY_BUILD_BATCH_SIZE 7)
 endfunction()

@@ -63,7 +63,7 @@ done
 course fuzz --shards 2 -- --seed=3 && refused "divide and join by themselves: no --seed=3"
 course render --slurm && refused "unknown option '--slurm'"
 course clean --all && refused "unknown option '--all'" && expect_not "handed on"
-course run solve --preset relase a.dat && refused "unknown preset 'relase'" "the presets are: release debug sanitize threads ci clang odr"
+course run solve --preset relase a.dat && refused "unknown preset 'relase'" "the presets are: release debug sanitize tidy threads ci clang odr"
 course clean up && refused "'clean' takes no words"
 course clean -- up && refused "'clean' hands no options on"
 course --yes && refused "which command?"
