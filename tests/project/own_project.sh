@@ -67,7 +67,7 @@ link=$(tail -n 1 <<<"$ways")
   wrong "docs/your_own_scene.md should show three lines of CMake and one that links, but these were found: $ways"
 
 nothing_drawn=(-DCMAKE_DISABLE_FIND_PACKAGE_{CLI11,PkgConfig,OpenGL,Threads}"=ON")
-libraries="libaccuracy_and_time.a libchoosing.a libthread_pool.a libdirect_contacts.a libengine.a libonly_what_is_needed.a libpushback.a libpushback_program.a libpushback_render.a libpushback_simulation.a libpushback_simulation_float.a libwhole_problem.a"
+libraries="libaccuracy_and_time.a libchoosing.a libdirect_contacts.a libengine.a libonly_what_is_needed.a libpushback.a libpushback_program.a libpushback_render.a libpushback_simulation.a libpushback_simulation_float.a libthread_pool.a libwhole_problem.a"
 way=add_subdirectory
 sources "$(grep -o '^add_subdirectory([^)]*)' <<<"$ways" | sed "s|pushback|$scratch/pushback pushback|")" "$link"
 way=FetchContent

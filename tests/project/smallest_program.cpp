@@ -1,7 +1,6 @@
 // The smallest program of one's own, which README.md shows. test_student compares the two, and runs this one.
 // page begins
 #include <cstdio>
-
 #include "pushback/engine/presets.h"
 
 using namespace pushback;
