@@ -2,6 +2,7 @@
 /// a reader calls it.
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
+#include "pushback/tools/classroom/kit.h"
 #include "pushback/tools/classroom/mine/chapters.h"
 #include "pushback/tools/classroom/mine/played.h"
 #include "pushback/tools/classroom/mine/verdict.h"
@@ -134,6 +135,13 @@ TEST_CASE("each chapter's plain loop passes as a whole file, also with its rows 
                         "for (std::size_t i = normals_.size(); i-- > 0;) {\n      Row& row = normals_[i];\n"
                         "      const Real lambda";
   CHECK(verdict_of_mine(8, edited(8, forwards, backwards), folder / "", 1).verdict.passed());
+}
+
+TEST_CASE("the solver of the pages from an empty file passes chapter 07 as it is, with body.h beside it", "[checked]") {
+  const fs::path pages = kit().sources / "docs" / "from_an_empty_file";
+  const VerdictOfMine made = verdict_of_mine(7, text_of(pages / "solver.h"), pages, 1);
+  INFO(made.sentence());
+  CHECK(made.verdict.passed());
 }
 
 TEST_CASE("a whole file that crashes, throws, has no end or does not compile is told so", "[checked]") {
