@@ -172,6 +172,10 @@ TEST_CASE("the way of a reader: a file, a verdict, hints, the difference, and ba
   CHECK(contains(call("").out, "  02  passed "));
   CHECK(contains(call("02 --diff").out, "There is no difference."));
 
+  reader.write(plain_loop(8));
+  CHECK(call("08").status == 0);
+  CHECK(contains(call("").out, "  11  next "));  // the branches 09 and 10 can wait
+
   reader.write(edited(3, "normal.lo = 0;", ""));
   CHECK(contains(call("03").out, "Chapter 02, which you had passed: "));
   CHECK(contains(call("").out, "  02  next "));
