@@ -7,7 +7,9 @@
 #include "body.h"
 #include "pushback/common/world/step_solver.h"
 
-namespace empty_file {
+namespace mine {
+
+using namespace empty_file;
 
 class MySolver : public pushback::StepSolver {
  public:
@@ -102,4 +104,4 @@ class MySolver : public pushback::StepSolver {
   std::vector<Row> normals_, tangents_;
 };
 
-}  // namespace empty_file
+}  // namespace mine

@@ -48,9 +48,9 @@ World falling_ball() {
 std::vector<std::string> calls_of_a_step() {
   std::vector<std::string> calls;
   for (int detection = 0; detection < 2; ++detection) {
-    calls.insert(calls.end(), {"check, 1/360 s", "detected, 1/360 s"});
+    calls.insert(calls.end(), {"check, 1/360 s", "after_detection, 1/360 s"});
     for (int substep = 0; substep < 3; ++substep)
-      calls.insert(calls.end(), {"solve 7, 1/360 s", "integrate positions, 1/360 s", "moved, 1/360 s"});
+      calls.insert(calls.end(), {"solve 7, 1/360 s", "integrate positions, 1/360 s", "after_move, 1/360 s"});
     calls.push_back("end_detection");
   }
   return calls;

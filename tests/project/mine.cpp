@@ -2,6 +2,7 @@
 /// a reader calls it.
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/input.h"
+#include "pushback/tools/classroom/kit.h"
 #include "pushback/tools/classroom/mine/chapters.h"
 #include "pushback/tools/classroom/mine/played.h"
 #include "pushback/tools/classroom/mine/verdict.h"
@@ -136,6 +137,13 @@ TEST_CASE("each chapter's plain loop passes as a whole file, also with its rows 
   CHECK(verdict_of_mine(8, edited(8, forwards, backwards), folder / "", 1).verdict.passed());
 }
 
+TEST_CASE("the solver of the pages from an empty file passes chapter 07 as it is, with body.h beside it", "[checked]") {
+  const fs::path pages = kit().sources / "docs" / "from_an_empty_file";
+  const VerdictOfMine made = verdict_of_mine(7, text_of(pages / "solver.h"), pages, 1);
+  INFO(made.sentence());
+  CHECK(made.verdict.passed());
+}
+
 TEST_CASE("a whole file that crashes, throws, has no end or does not compile is told so", "[checked]") {
   const Scratch folder;
   const auto kind = [&](const std::string& text) { return verdict_of_mine(0, text, folder / "", 1).outcome.kind; };
@@ -163,6 +171,10 @@ TEST_CASE("the way of a reader: a file, a verdict, hints, the difference, and ba
   CHECK(call("02").status == 0);
   CHECK(contains(call("").out, "  02  passed "));
   CHECK(contains(call("02 --diff").out, "There is no difference."));
+
+  reader.write(plain_loop(8));
+  CHECK(call("08").status == 0);
+  CHECK(contains(call("").out, "  11  next "));  // the branches 09 and 10 can wait
 
   reader.write(edited(3, "normal.lo = 0;", ""));
   CHECK(contains(call("03").out, "Chapter 02, which you had passed: "));

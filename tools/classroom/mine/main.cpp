@@ -25,12 +25,22 @@ struct Asked {
   bool hint = false, watch = false, reset = false, diff = false, no_sheet = false;
 };
 
+/// The next chapter of the trunk, from which the last chapter grows. After the trunk, the next one of a branch; null after all.
+const ChapterOfMine* next_of(const MyFolder& mine) {
+  const std::vector<ChapterOfMine>& chapters = chapters_of_mine();
+  for (const bool on_trunk : {true, false}) {
+    const auto next = std::ranges::find_if(chapters, [&](const ChapterOfMine& chapter) {
+      return grows_from(chapters.back().number, chapter.number) == on_trunk && !mine.passed(chapter.number);
+    });
+    if (next != chapters.end()) return &*next;
+  }
+  return nullptr;
+}
+
 void list(const MyFolder& mine) {
-  const ChapterOfMine* next = nullptr;
+  const ChapterOfMine* next = next_of(mine);
   for (const ChapterOfMine& chapter : chapters_of_mine()) {
-    const bool passed = mine.passed(chapter.number);
-    if (!next && !passed) next = &chapter;
-    const char* stands = passed ? "passed" : next == &chapter ? "next" : "";
+    const char* stands = mine.passed(chapter.number) ? "passed" : next == &chapter ? "next" : "";
     fmt::print("  {}  {:<7} {}\n", two_digits(chapter.number), stands, chapter.title);
   }
   if (next)

@@ -115,6 +115,10 @@ bool play_hard_cases(const MyFolder& mine, const std::vector<std::string>& names
     if (line.find(scratch.path.string()) == line.npos) fmt::print("{}\n", line);
   std::fflush(stdout);
   fmt::print(stderr, "{}", ended.err);
+  if (ended.err.find("no end within") != ended.err.npos)
+    fmt::print(
+        stderr,
+        "A case is given up after 30 s by the clock. If the machine was busy, call again with this case alone.\n");
   fs::remove_all(to);
   fs::copy(made, to, fs::copy_options::recursive);
   return ended.status == 0;
