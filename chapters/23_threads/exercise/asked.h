@@ -5,8 +5,8 @@
 
 namespace pushback::exercise_23 {
 
-/// One of several threads, as its program sees it. Here nothing runs at the same time. The class records which bundles the thread
-/// solves, and between which waits.
+/// One of several threads, as its program sees it. Here nothing runs at the same time. The class records which bundles the
+/// thread solves, and between which waits.
 class Thread {
  public:
   Thread(int its_who, int of_count) : who(its_who), count(of_count) {}
