@@ -5,7 +5,7 @@
 
 namespace pushback::only_what_is_needed_scenes {
 
-/// Five piles of six boxes, well apart. A ball rolls in from the front and hits the one in the middle, after about 1.4 s.
+/// Five piles of six boxes, well apart. A ball rolls in from the front and hits the middle pile after about 1.4 s.
 struct FivePiles {
   Real speed = 8;       ///< m/s, of the ball
   Real mass_ratio = 5;  ///< mass of the ball, in masses of a box

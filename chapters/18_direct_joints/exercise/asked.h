@@ -1,4 +1,4 @@
-/// What exercise 18 asks for.
+/// The answer to exercise 18, and its checks.
 #pragma once
 
 #include <Eigen/LU>

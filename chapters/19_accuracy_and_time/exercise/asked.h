@@ -1,4 +1,4 @@
-/// What exercise 19 asks for.
+/// The answer to exercise 19, and its checks.
 #pragma once
 
 #include "pushback/chapters/19_accuracy_and_time/front.h"

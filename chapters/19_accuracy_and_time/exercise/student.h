@@ -8,11 +8,11 @@ namespace student {
 using namespace pushback;
 using study::Measured, study::Measurements;
 
-/// The settings that no other beats, from the fastest to the most accurate.
+/// Returns the settings that no other setting beats, from the fastest to the most accurate.
 ///
-/// You read   one.median()   s: the time that counts, of all the rounds in which the setting was timed
-///            one.error      m: how far off it was; infinite where the motion was lost
-/// You may sort `all`, by std::sort for example, or go through it as it is.
+/// You read   one.median()   s: the median over all rounds in which the setting was timed
+///            one.error      m: its error; infinite if the motion was lost
+/// You may sort `all`, for example with std::sort, or loop over it as it is.
 inline Measurements front(Measurements all) {
   Measurements found;
   // TODO the Pareto front: one setting beats another if it is at least as good in time and in error, and better in one

@@ -1,4 +1,4 @@
-/// What exercise 20 asks for.
+/// The answer to exercise 20, and its checks.
 #pragma once
 
 #include "pushback/common/exercise/exercise.h"

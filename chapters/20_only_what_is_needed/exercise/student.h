@@ -7,15 +7,15 @@ namespace student {
 
 using namespace pushback;
 
-/// Which bodies may fall asleep, by their index.
+/// Returns for each body whether it may fall asleep.
 ///
 /// You read   rests[i]                      whether body i has kept its place for long enough
-///            world.bodies[i].movable()     whether anything moves body i
-///            world.contacts                what touches: contact.id.body_a and .body_b are indices of bodies
-///            world.joints                  what is joined: joint.a and .b are indices of bodies
+///            world.bodies[i].movable()     whether body i can move
+///            world.contacts                the pairs that touch: contact.id.body_a and .body_b are indices of bodies
+///            world.joints                  the pairs that are joined: joint.a and .b are indices of bodies
 inline std::vector<bool> asleep(const World& world, const std::vector<bool>& rests) {
   std::vector<bool> sleeps(world.bodies.size(), false);
-  // TODO the islands, by what touches and what is joined; then which of them fall asleep
+  // TODO find the islands from contacts and joints; then decide which of them fall asleep
   (void)rests;  // take this line out
   // TODO ends
   return sleeps;

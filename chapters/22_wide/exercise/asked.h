@@ -1,4 +1,4 @@
-/// What exercise 22 asks for.
+/// The answer to exercise 22, and its checks.
 #pragma once
 
 #include "pushback/common/exercise/exercise.h"

@@ -13,14 +13,14 @@ using exercise_22::Colours;
 using exercise_22::Movable;
 using exercise_22::Pairs;
 
-/// The colour of each pair: greedily, in the order of the pairs, the first that neither of its bodies has.
+/// Returns the colour of each pair, in the order of the pairs: the first colour that neither of its bodies has yet.
 ///
-/// You read   pairs[i].a, pairs[i].b   the indices of its bodies
-///            movable[a]               whether this body can move; movable.size() is the number of bodies
+/// You read   pairs[i].a, pairs[i].b   the indices of the bodies of pair i
+///            movable[a]               whether body a can move; movable.size() is the number of bodies
 /// No body is in more than 60 pairs.
 inline Colours colours(const Pairs& pairs, const Movable& movable) {
   Colours colours(pairs.size(), 0);
-  // TODO for each pair: what its bodies have, the first colour that is free; then take note of it
+  // TODO for each pair: find the first colour that is free in both bodies, and mark it as taken in both
   (void)movable;  // take this line out
   // TODO ends
   return colours;

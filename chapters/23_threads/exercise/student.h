@@ -9,15 +9,15 @@ using namespace pushback;
 using exercise_23::Sizes;
 using exercise_23::Thread;
 
-/// What one of the threads does in a sweep. Each of them calls this, with another `thread.who`.
+/// The work of one thread in a sweep. Each thread calls this function, with another `thread.who`.
 ///
-/// You read   sizes[s]       how many bundles the set s has; sizes.size() is the number of sets
-///            thread.who     which thread this is, from 0 on
-///            thread.count   how many there are
-/// You call   thread.solve(bundle)     bundles are numbered through all sets: those of set 1 follow those of set 0
-///            thread.wait_for_all()    after every set, the last one too
+/// You read   sizes[s]       the number of bundles of set s; sizes.size() is the number of sets
+///            thread.who     the index of this thread, from 0 on
+///            thread.count   the number of threads
+/// You call   thread.solve(bundle)     bundles are numbered across all sets: the bundles of set 1 follow those of set 0
+///            thread.wait_for_all()    after every set, even after the last
 inline void sweep(Thread& thread, const Sizes& sizes) {
-  // TODO for each set: this thread's share of its bundles; then wait
+  // TODO for each set: solve this thread's share of the bundles, then wait
   (void)thread, (void)sizes;  // take this line out
   // TODO ends
 }

@@ -1,4 +1,4 @@
-/// What exercise 24 asks for.
+/// The answer to exercise 24, and its checks.
 #pragma once
 
 #include "pushback/chapters/24_half_step/plain.h"

@@ -8,15 +8,15 @@ namespace student {
 using namespace pushback;
 using exercise_24::Bob;
 
-/// Moves a ball of 1 kg on a rod, which holds it at bob.length from the origin, on by h seconds.
+/// Advances a ball of 1 kg by h seconds. A rod holds the ball at the distance bob.length from the origin.
 ///
-/// You read and change   bob.x, bob.v   m and m/s: where it is and how it moves
+/// You read and change   bob.x, bob.v   the position, m, and the velocity, m/s
 /// You read              bob.length     m
-///                       bob.off(x)     m, C: how far a place x is from where the rod would have it
-///                       bob.rod()      J, unit: from the origin to where the ball is now
+///                       bob.off(x)     C at the position x, m: the distance from the origin minus the length of the rod
+///                       bob.rod()      J: the unit vector from the origin to the present position of the ball
 ///                       g              m/s^2
 inline void step(Bob& bob, const Vec3& g, Real h) {
-  // TODO kick, hold the length after the drift, drift, kick, and no speed along the rod
+  // TODO half a kick, the impulse that keeps the length over the drift, drift, half a kick, and the impulse for J v = 0
   (void)bob, (void)g, (void)h;  // take this line out
   // TODO ends
 }

@@ -1,4 +1,4 @@
-/// What exercise 25 asks for.
+/// The answer to exercise 25, and its checks.
 #pragma once
 
 #include "pushback/chapters/25_moment_of_impact/plain.h"

@@ -8,13 +8,13 @@ namespace student {
 using namespace pushback;
 using exercise_25::Ball;
 
-/// Moves a ball that falls and bounces on by h seconds.
+/// Advances a ball that falls and bounces by h seconds.
 ///
 /// You read and change   ball.y, ball.v   m above the ground, 0 or more; m/s upwards
-/// You read              ball.e           of its bounces, below 1
+/// You read              ball.e           its coefficient of restitution, below 1
 ///                       g                m/s^2, downwards
 inline void step(Ball& ball, Real g, Real h) {
-  // TODO until the step is over: fly to the ground, bounce, and end what would bounce for ever
+  // TODO until the step is over: fly to the ground, bounce, and stop the ball if it would bounce infinitely often
   (void)ball, (void)g, (void)h;  // take this line out
   // TODO ends
 }

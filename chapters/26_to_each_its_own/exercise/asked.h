@@ -1,4 +1,4 @@
-/// What exercise 26 asks for.
+/// The answer to exercise 26, and its checks.
 #pragma once
 
 #include "pushback/chapters/26_to_each_its_own/plain.h"

@@ -1,4 +1,4 @@
-/// Exercise 26: what an island calls for. The task is chapters/26_to_each_its_own/exercise/task.md.
+/// Exercise 26: the step that an island gets. The task is chapters/26_to_each_its_own/exercise/task.md.
 #pragma once
 
 #include "pushback/chapters/26_to_each_its_own/exercise/asked.h"
@@ -11,23 +11,23 @@ using exercise_26::Call;
 using exercise_26::Seen;
 using exercise_26::Verdict;
 
-/// `call`: how an island is moved in this step, Call::flight, Call::half_steps or Call::substeps.
+/// `call` returns how an island is moved in this step: Call::flight, Call::half_steps or Call::substeps.
 ///
-/// You read   island.contacts          that may act in this step
-///            island.joints            in an island without contacts
-///            island.refused           whether half steps do not do what is in it
-///            island.had_half_steps    in the step before
-///            bounds.most, .most_kept  contacts of an island of few; of one that was one in the step before
+/// You read   island.contacts          the number of contacts that may act in this step
+///            island.joints            the number of joints; an island with joints has no contacts here
+///            island.refused           whether half steps do not support the contents of the island
+///            island.had_half_steps    whether it had half steps in the previous step
+///            bounds.most, .most_kept  the most contacts for half steps; the same if the island had half steps before
 ///
-/// `judge`: what a step that has been tried is worth, {stands, substeps}.
+/// `judge` assesses a step that has been tried, and returns {stands, substeps}.
 ///
-/// You read   substeps                 in which it has been tried
-///            off                      |dE| of this try, in parts of what is allowed
+/// You read   substeps                 the number of substeps of this try
+///            off                      |dE| of this try, divided by the allowed error
 ///            bounds.least_substeps, .most_substeps
-/// You return stands                   whether it stands; else it is taken again from where it began
-///            substeps                 of the next try: of the same step, or of the next one; 0: not by half steps
+/// You return stands                   whether the step stands; otherwise it is repeated from its start
+///            substeps                 of the next try, for the same step or the next one; 0: half steps are not enough
 
-// TODO both functions, in the place of these
+// TODO both functions, in place of these
 inline Call call(const Seen& island, const Bounds& bounds) {
   (void)island, (void)bounds;
   return Call::substeps;

@@ -1,4 +1,4 @@
-/// What exercise 27 asks for.
+/// The answer to exercise 27, and its checks.
 #pragma once
 
 #include "pushback/chapters/27_which_error/plain.h"

@@ -10,23 +10,23 @@ using exercise_27::Bounds;
 using exercise_27::Tried;
 using exercise_27::Verdict;
 
-/// `off_by`: by how much `fine` is off, m, never below 0.
+/// `off_by` returns the error of `fine`, m, never below 0.
 ///
-/// You read   coarse, fine           a place after the same step in n / 2 substeps and in n, m
-///            order                  of the steps
+/// You read   coarse, fine           a position after the same step in n / 2 substeps and in n, m
+///            order                  the order of the steps
 ///
-/// `judge`: what a step that has been tried is worth, {stands, kept, substeps}.
+/// `judge` assesses a step that has been tried, and returns {stands, kept, substeps}.
 ///
-/// You read   tried.substeps         in which it has been tried
-///            tried.off              by how much it is off, in parts of what is allowed
-///            tried.before           the same of the try before, in half as many; infinite: there was none
-///            tried.order            of the steps
-///            bounds.least, .most    substeps
-/// You return stands                 whether it stands; else it is taken again from where it began
-///            kept                   whether its error is allowed
-///            substeps               of the next try: of the same step, or of the next one
+/// You read   tried.substeps         the number of substeps of this try
+///            tried.off              the error of this try, divided by the allowed error
+///            tried.before           the same for the previous try, in half as many substeps; infinite: there was none
+///            tried.order            the order of the steps
+///            bounds.least, .most    the fewest and the most substeps
+/// You return stands                 whether the step stands; otherwise it is repeated from its start
+///            kept                   whether its error is within the allowed error
+///            substeps               of the next try, for the same step or the next one
 
-// TODO both functions, in the place of these
+// TODO both functions, in place of these
 inline Real off_by(Real coarse, Real fine, int order) {
   (void)coarse, (void)fine, (void)order;
   return 0;

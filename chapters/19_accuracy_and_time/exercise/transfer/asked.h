@@ -1,4 +1,4 @@
-/// What the transfer exercise 19 asks for.
+/// The answer to the transfer exercise 19, and its checks.
 #pragma once
 
 #include "pushback/common/exercise/exercise.h"

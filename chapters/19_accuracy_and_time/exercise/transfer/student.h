@@ -8,14 +8,14 @@ namespace student {
 using namespace pushback;
 using exercise_19_transfer::g;  // 9.81 m/s^2
 
-/// m, up the slope from where it started: where a box is after t seconds. Negative where it has slid down past its start.
+/// Returns the distance of a box from its start after t seconds, m, up the slope. Negative if the box is below its start.
 ///
-/// You read   speed   m/s, up the slope, as it starts; 0 or more
+/// You read   speed   m/s, up the slope, at the start; 0 or more
 ///            slope   rad, between the slope and the horizontal; above 0
 ///            mu      the coefficient of friction, 0 or more
 ///            t       s, 0 or more
 inline double way(double speed, double slope, double mu, double t) {
-  // TODO the closed form: up until it stops; then it is held there, or slides back
+  // TODO the closed form: up until the box stops; then friction holds it there, or it slides back
   (void)speed, (void)slope, (void)mu, (void)t;  // take this line out
   return 0;
   // TODO ends

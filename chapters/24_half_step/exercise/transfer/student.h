@@ -8,12 +8,12 @@ namespace student {
 using namespace pushback;
 using exercise_24_transfer::Judged;
 
-/// Of a method whose error is c h^p, c and p unknown.
+/// Judges a method whose error is c h^p, with c and p unknown.
 ///
-/// You read   whole, half, quarter   what it found with the steps h, h/2 and h/4; no two are equal
+/// You read   whole, half, quarter   its results with the steps h, h/2 and h/4; no two are equal
 inline Judged judge(double whole, double half, double quarter) {
   Judged found;
-  // TODO found.order: p; found.error: of quarter; found.better: what h = 0 would give
+  // TODO found.order: p; found.error: the error of quarter; found.better: the result for h = 0
   (void)whole, (void)half, (void)quarter;  // take this line out
   // TODO ends
   return found;
