@@ -5,16 +5,16 @@
 
 namespace pushback {
 
-/// Instead of Restitution. A step detects a body when it is already at a depth d, and faster than when it touched. On its way
-/// out it loses speed again. With e < 1 the two errors do not cancel. A body that falls and rises in steps of
+/// Replaces Restitution. A step detects a body at a depth d, when it is already faster than when it touched the surface. On its
+/// way out the body loses speed again. With e < 1 the two errors do not cancel. A body that falls and rises in steps of
 ///
-///   v += h a,  x += h v        keeps  S = u^2 / 2 - a d + h a u / 2        u: the speed of approach, a: how forces press
+///   v += h a,  x += h v    conserves    S = u^2 / 2 - a d + h a u / 2      u: approach speed, a: acceleration into the surface
 ///
-/// and 2 S is the square of its speed at the surface, where d = 0. The bounce has to leave e^2 of that:
+/// and 2 S is the square of its speed at the surface, where d = 0. The bounce has to leave e^2 of S:
 ///
-///   v = -h a / 2 + sqrt((h a / 2)^2 + 2 (e^2 S + a d))          which is e u where nothing presses, and u where e = 1
+///   v = -h a / 2 + sqrt((h a / 2)^2 + 2 (e^2 S + a d))          This is e u if a = 0, and u if e = 1.
 ///
-/// A contact that bounces gets no push-out: it leaves by itself.
+/// A contact that bounces gets no push-out, because the bounce already separates its bodies.
 struct RestitutionFromSurface : Effect {
   Real threshold = Real(0.1);  ///< m/s; a body that arrives slower does not bounce
 
@@ -38,7 +38,7 @@ struct RestitutionFromSurface : Effect {
   }
 
  protected:
-  Real fastest_ = 0;  // bounce, m/s; 0: nothing bounces
+  Real fastest_ = 0;  // the fastest bounce of the step, m/s; 0: nothing bounces
 };
 
 }  // namespace pushback

@@ -1,4 +1,4 @@
-/// Five balls in a row. The ball that bounces three times is chapter 05's FallingBalls.
+/// Five balls in a row. The scene of three bounces is chapter 05's FallingBalls.
 #pragma once
 
 #include "pushback/chapters/05_restitution/scenes.h"

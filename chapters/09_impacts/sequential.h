@@ -1,18 +1,20 @@
-/// Sequential impacts: each pair passes its speed on before the next pair is solved.
+/// Sequential impacts: each pair bounces before the next pair is solved.
 #pragma once
 
 #include "pushback/chapters/05_restitution/restitution.h"
 
 namespace pushback {
 
-/// Instead of Restitution, and like it before WarmStart. Every pair that approaches bounces as if nothing else touched it,
-/// again and again until no pair approaches:   lambda = -(v_n + e v_n) / K,   v_n: when it is solved, without this step's forces.
+/// Replaces Restitution, and like it comes before WarmStart in the list. Each pair that approaches bounces as if nothing else
+/// touched it, and this repeats until no pair approaches:
 ///
-/// Simultaneous and sequential impacts both obey Newton's rule, and differ. A ball that hits a row of equal ones sends off all
-/// of them if the impacts are simultaneous, and only the last if they are sequential. Steel balls are closer to sequential.
+///   lambda = -(1 + e) v_n / K        v_n: when the contact is solved, without the speed that this step's forces have added
+///
+/// Simultaneous and sequential impacts both obey Newton's rule, but their results differ. If a ball hits a row of equal balls,
+/// simultaneous impacts send off the whole row, and sequential impacts only the last ball, as steel balls nearly do.
 struct SequentialImpacts : Effect {
   Real threshold = Real(0.1);  ///< m/s; a body that arrives slower does not bounce
-  int most_rounds = 1000;      ///< then the sweeps have to do with what is left
+  int most_rounds = 1000;      ///< the sweeps solve the contacts that still approach after these rounds
 
   void check(StepContext&) { require_not_negative("threshold", threshold); }
   void build(StepContext& step) {
@@ -23,7 +25,7 @@ struct SequentialImpacts : Effect {
       bouncing_.push_back({i, at.restitution, step.rows[i].speed() - approach_speed(step.world, at)});
     }
   }
-  /// From here on the row may add to its impact but not take it back: lo = impulse.
+  /// Sets lo = impulse, so the sweeps can add to the impulse of an impact but not take it back.
   void start(StepContext& step) {
     bool again = true;
     for (int round = 0; again && round < most_rounds; ++round) {
@@ -44,7 +46,7 @@ struct SequentialImpacts : Effect {
   struct Bouncing {
     std::size_t row;
     Real restitution;
-    Real by_forces;  // what this step's forces have added to v_n, m/s
+    Real by_forces;  // the speed that this step's forces have added to v_n, m/s
   };
   std::vector<Bouncing> bouncing_;
 };

@@ -1,17 +1,18 @@
-/// Simultaneous impacts, solved to the end.
+/// Simultaneous impacts, solved to convergence.
 #pragma once
 
 #include "pushback/chapters/09_impacts/from_surface.h"
 
 namespace pushback {
 
-/// Like RestitutionFromSurface; but in a step in which a contact bounces, each sweep repeats the normals until they are solved.
-/// An impact lasts one step, so no later step corrects what its sweeps leave unsolved. In the list before Friction.
+/// Replaces RestitutionFromSurface, and comes before Friction in the list. In a step in which a contact bounces, each sweep
+/// repeats the normals until they are solved. An impact lasts one step, so no later step corrects an error of its sweeps.
 ///
-/// The counterpart of SequentialImpacts: a row of equal balls that touch, hit with 5 m/s, leaves with -3, 2, 2, 2, 2 m/s.
+/// The counterpart of SequentialImpacts: if a ball at 5 m/s hits a row of four equal balls, the five leave with -3, 2, 2, 2 and
+/// 2 m/s.
 struct SimultaneousImpacts : RestitutionFromSurface {
-  Real precision = Real(1e-6);  ///< of the fastest bounce; it ends where no row changes a speed by more
-  int most_rounds = 1000;
+  Real precision = Real(1e-6);  ///< relative to the fastest bounce: the largest change of a speed that ends the rounds
+  int most_rounds = 1000;       ///< per sweep
 
   void sweep(auto& step) {
     Real change = fastest_;

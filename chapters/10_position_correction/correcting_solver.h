@@ -1,26 +1,26 @@
-/// A solver with one more hook: the last of a step.
+/// A solver with one more hook, which runs at the end of a step and corrects positions.
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/solver.h"
 
 namespace pushback {
 
-/// A step as effects of a CorrectingSolver see it.
+/// The argument of the hooks of a CorrectingSolver's effects.
 struct CorrectingContext : StepContext {};
 
-/// Declares the hook of a CorrectingSolver. The effects that derive from it define it.
+/// Declares the hook of a CorrectingSolver. An effect that derives from this type defines the hook.
 struct Corrects : RequiredHook {
-  /// The bodies have moved, and all velocities are what the step ends with. Only positions and orientations may be changed.
+  /// Called once the bodies have moved and all velocities are final. May change only positions and orientations.
   void correct(CorrectingContext&) {}
 };
 
-/// An effect that has the hook, or derives from Corrects, does both.
+/// An effect either derives from Corrects and defines the hook, or does neither.
 template <class E>
 concept SpellsCorrect =
     (std::derived_from<E, Corrects> && !std::same_as<decltype(&E::correct), decltype(&Corrects::correct)>) ||
     (!std::derived_from<E, Corrects> && !requires { &E::correct; });
 
-/// Calls `correct` of the effects that have it, once the bodies have moved.
+/// Calls `correct` of the effects that define it, once the bodies have moved.
 template <class... Effects>
 class CorrectingSolver : public SequentialImpulses<Effects...> {
   static_assert((SpellsCorrect<Effects> && ...),

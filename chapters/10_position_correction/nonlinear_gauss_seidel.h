@@ -1,4 +1,4 @@
-/// Positions corrected as positions: the overlap as it is now, the bodies moved by a part of it, contact after contact.
+/// Non-linear Gauss-Seidel: moves the bodies of one contact after the other apart by a fraction of their present overlap.
 #pragma once
 
 #include "pushback/chapters/03_baumgarte/baumgarte.h"
@@ -8,17 +8,17 @@
 
 namespace pushback {
 
-/// Instead of Baumgarte, with Slop or without. Once the bodies have moved, in some rounds over the contacts:
+/// Replaces Baumgarte, with Slop or without. Once the bodies have moved, `rounds` passes over the contacts apply
 ///
-///   C = (P_B - P_A) . n + allowed         P_A, P_B: the two surfaces' points, each carried along by its body
-///   lambda = -beta C / K,  where C < 0    K: as the bodies lie now
-///   x += M^-1 J^T lambda,  q likewise     and v, w are what they were
+///   C = (P_B - P_A) . n + allowed         P_A, P_B: the contact's points on the two surfaces, each fixed to its body
+///   lambda = -beta C / K  if C < 0        K: for the present positions
+///   x += M^-1 J^T lambda,  q likewise     v and w do not change
 ///
-/// Each contact sees the positions that the one before it has left. Nothing is accumulated, so a correction that went too far
-/// is undone only by the contact on the body's other side.
-/// Catto, Box2D 2.4, b2ContactSolver::SolvePositionConstraints, where it is called non-linear Gauss-Seidel.
+/// Each contact uses the positions that the contact before it has left. No sums are accumulated, so only a contact on the other
+/// side of the body can undo a correction that was too large.
+/// Catto, Box2D 2.4, b2ContactSolver::SolvePositionConstraints, where the method is called non-linear Gauss-Seidel.
 struct NonlinearGaussSeidel : Effect, Corrects {
-  Real beta = Real(0.2);   ///< of 0 ... 1: how much of the overlap one round takes away
+  Real beta = Real(0.2);   ///< 0 ... 1: the fraction of the overlap that one round removes
   Real most = Real(0.05);  ///< m; no contact corrects more in one step
   int rounds = 3;
 
@@ -60,8 +60,8 @@ struct NonlinearGaussSeidel : Effect, Corrects {
   }
 
   std::vector<SurfacePoints> touching_;
-  Real allowed_ = 0;      // m, the largest depth that did not count as overlap: the slop, where some contact did
-  bool overlap_ = false;  // whether some contact did
+  Real allowed_ = 0;      // m, the largest depth that does not count as an overlap: the slop, if a contact is deeper
+  bool overlap_ = false;  // whether a contact is deeper than the slop
 };
 
 }  // namespace pushback

@@ -1,4 +1,4 @@
-/// What is too deep: a box in the ground, boxes in each other, a ball.
+/// Scenes with deep overlaps: a box in the ground, boxes in each other, a ball. And a ball that is dropped.
 #pragma once
 
 #include "pushback/common/world/situations.h"
@@ -12,7 +12,7 @@ inline void very_deep_box(World& world, Real depth = very_deep) {
   world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, Real(0.5) - depth, 0}).coloured(0));
 }
 
-/// Twelve boxes of 1 m, two by three by two of them.   `apart`: m, from one to the next
+/// Twelve boxes of 1 m, in three layers of two by two.   `apart`: distance from centre to centre, m
 inline std::vector<Body> twelve_boxes(Real apart) {
   std::vector<Body> boxes;
   for (int row = 0; row < 3; ++row) {
@@ -40,7 +40,7 @@ struct WeightlessBall {
     world.add(ground());
     world.add(sphere(Real(0.5), 100).at({0, Real(0.5) - depth, 0}));
   }
-  /// m: what `count` corrections leave, each by the part `beta` and by `most` at the most.
+  /// The depth that `count` corrections leave, m. Each removes the fraction `beta`, and `most` (m) at the most.
   Real left(Real beta, Real most, long count) const {
     Real overlap = depth;
     for (long i = 0; i < count; ++i) overlap -= std::min(beta * overlap, most);

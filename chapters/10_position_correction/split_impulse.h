@@ -1,4 +1,4 @@
-/// The push-out as a second set of velocities: used once, to move the bodies, and then forgotten.
+/// Split impulse: a second set of velocities pushes the bodies apart once, and is then discarded.
 #pragma once
 
 #include "pushback/chapters/03_baumgarte/baumgarte.h"
@@ -7,15 +7,15 @@
 
 namespace pushback {
 
-/// Instead of Baumgarte, with Slop or without. The contacts' rows once more, for pseudo-velocities V' that start from 0:
+/// Replaces Baumgarte, with Slop or without. Solves the contacts' rows again, for pseudo-velocities V' that start from 0:
 ///
-///   J V' + b' = 0,   b' = (beta / h) min(0, C + h J V)      C + h J V: minus the overlap once moved, to first order
-///   then  x += h v',  q += h/2 (0, w') q                    and v, w are what they were
+///   J V' + b' = 0,   b' = (beta / h) min(0, C + h J V)      C + h J V: the separation after the move, to first order
+///   then  x += h v',  q += h/2 (0, w') q                    v and w do not change
 ///
-/// The method is that of Bullet's solver, "split impulse"; a correction apart from the velocities is older:
+/// Bullet's solver uses this method under the name "split impulse". Correcting positions apart from the velocities is older:
 /// Cline and Pai, "Post-Stabilization for Rigid Body Simulation with Contact and Constraints", ICRA 2003.
 struct SplitImpulse : Effect, Corrects {
-  Real beta = Real(0.2);   ///< of 0 ... 1: how much of the overlap one step takes away
+  Real beta = Real(0.2);   ///< 0 ... 1: the fraction of the overlap that one step removes
   Real most = Real(0.05);  ///< m; no contact corrects more in one step
   int rounds = 10;         ///< sweeps over the pseudo-velocities
 
@@ -53,7 +53,7 @@ struct SplitImpulse : Effect, Corrects {
     Body* of;
     Vec3 velocity, angular_velocity;
   };
-  /// A row reads its bodies' velocities, so V' = 0 is written there for the rounds. Each body once.
+  /// A row reads the velocities of its bodies, so V' = 0 replaces them during the rounds. Stores each body once.
   void set_velocities_aside() {
     aside_.clear();
     for (const Row& push : pushes_) {
@@ -68,8 +68,8 @@ struct SplitImpulse : Effect, Corrects {
     }
   }
 
-  Rows pushes_;               // the normals, for V'
-  std::vector<Aside> aside_;  // whom they touch, and v and w meanwhile
+  Rows pushes_;               // copies of the normals, for V'
+  std::vector<Aside> aside_;  // their bodies, with the true v and w
 };
 
 }  // namespace pushback

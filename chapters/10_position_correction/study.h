@@ -1,4 +1,4 @@
-/// The same solver with one push-out or another, and how a stack trembles under it.
+/// The same solver with any of the three push-outs, and the jitter of a stack under it.
 #pragma once
 
 #include "pushback/chapters/03_baumgarte/tuning.h"
@@ -8,11 +8,11 @@
 
 namespace pushback::position_correction_scenes {
 
-/// FullSolver, if it is Baumgarte.
+/// `PushOut`: Baumgarte, SplitImpulse or NonlinearGaussSeidel. With Baumgarte it does the same as FullSolver.
 template <class PushOut>
 using With = CorrectingSolver<Clamping, PushOut, Slop, Restitution, Friction, WarmStart>;
 
-/// The root mean square of the speed in the last of ten seconds, mm/s, of a stack; against beta.
+/// The jitter of a stack against beta: the root mean square of the speed in the last of ten seconds, mm/s.
 template <class PushOut>
 Curve jitter_curve(const std::string& name, std::size_t colour, int boxes, Real dt, With<PushOut> solver) {
   Curve jitter{name, {}, {}, line_colour(colour), Curve::Style::line_and_points};

@@ -9,7 +9,7 @@
 
 namespace pushback {
 
-/// Each method keeps a pointer to it.
+/// Each method keeps a pointer to the problem.
 using SharedProblem = std::shared_ptr<const ContactProblem>;
 
 template <class Fill>

@@ -1,4 +1,4 @@
-/// What exercise 13 asks for.
+/// The answer to exercise 13, and its checks.
 #pragma once
 
 #include "pushback/common/exercise/exercise.h"
@@ -6,10 +6,10 @@
 
 namespace pushback::exercise_13 {
 
-/// A rail in the shape of a ring, which A carries, and the slider on it, a point of B.
+/// A rail in the shape of a ring, fixed to A, and the slider on it, a point of B.
 struct RoundRail {
   Vec3 centre;  ///< Q, m, A's axes, from A's centre of mass
-  Vec3 axis;    ///< m, unit, A's axes: the rail lies in the plane across it
+  Vec3 axis;    ///< m, unit, A's axes; perpendicular to the plane of the rail
   Real radius;  ///< R, m
   Vec3 slider;  ///< P, m, B's axes, from B's centre of mass
 };

@@ -7,11 +7,11 @@ namespace student {
 
 using namespace pushback;
 
-/// Called in every step, with the bodies as they stand then. Appends the two equations of the slider.
+/// Called in every step, with the present bodies. Appends the two equations of the slider.
 ///
-/// You read     rail.centre, rail.axis   as A carries them: point_of(a, rail.centre) is Q, a.orientation * rail.axis is m
+/// You read     rail.centre, rail.axis   in A's axes: point_of(a, rail.centre) is Q, a.orientation * rail.axis is m
 ///              rail.radius              R, m
-///              rail.slider              as B carries it: point_of(b, rail.slider) is P
+///              rail.slider              in B's axes: point_of(b, rail.slider) is P
 /// and append   equations.push_back({.jacobian = {.ra_n = ..., .n = ..., .rb_n = ...}, .error = C});
 ///              with J = [-n  -ra_n  n  rb_n], n a unit vector, C in m
 inline void ask(const exercise_13::RoundRail& rail, const Body& a, const Body& b, Equations& equations) {

@@ -1,4 +1,4 @@
-/// What exercise 15 asks for.
+/// The answer to exercise 15, and its checks.
 #pragma once
 
 #include "pushback/chapters/13_joints/joint_row.h"

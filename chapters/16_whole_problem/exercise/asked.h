@@ -1,4 +1,4 @@
-/// What exercise 16 asks for.
+/// The answer to exercise 16, and its checks.
 #pragma once
 
 #include "pushback/common/exercise/exercise.h"

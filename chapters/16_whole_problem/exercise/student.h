@@ -7,9 +7,9 @@ namespace student {
 
 using namespace pushback;
 
-/// How far the impulses r are from solving the problem; 0 exactly where they do.
+/// The error of the impulses r; 0 exactly if they solve the problem.
 ///
-/// You read   problem.contacts()    how many contacts there are
+/// You read   problem.contacts()    the number of contacts
 ///            problem.mu[c]         the coefficient of friction of contact c
 ///            problem.q             q, m/s
 ///            r.segment<3>(3 * c)   the impulses of contact c, N s: along the normal, and along two tangents

@@ -1,4 +1,4 @@
-/// What exercise 17 asks for.
+/// The answer to exercise 17, and its checks.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,10 +8,10 @@
 
 namespace pushback::exercise_17 {
 
-/// Equations, each solved for one variable, its basic one. All other variables are 0.
+/// Equations. Each is solved for one variable, its basic variable. All other variables are 0.
 struct Tableau {
-  Eigen::MatrixXd t;                ///< a column for each variable, and last what each equation equals
-  std::vector<Eigen::Index> basis;  ///< the basic variable of each row: its column
+  Eigen::MatrixXd t;                ///< a column for each variable, and last the right-hand sides
+  std::vector<Eigen::Index> basis;  ///< the column of the basic variable of each row
 };
 
 struct Answer {

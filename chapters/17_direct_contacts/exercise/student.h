@@ -8,13 +8,13 @@ namespace student {
 using namespace pushback;
 using Eigen::Index;
 
-/// Lets the variable `entering` grow until the first basic one reaches 0, which leaves. Gives back the one that has left; -1,
-/// with nothing changed, where none ever reaches 0.
+/// Lets the variable `entering` grow until the first basic variable reaches 0, which then leaves. Returns the variable that has
+/// left. If none ever reaches 0, changes nothing and returns -1.
 ///
 /// You read and change   tableau.t(i, j)      the equations; t.row(i) is all of one
 ///                       tableau.basis[i]     the basic variable of row i
 /// and read              t(i, last)           its value, 0 or more
-///                       t(i, entering)       by how much it falls where `entering` grows by 1
+///                       t(i, entering)       the amount by which it falls if `entering` grows by 1
 inline Index pivot(exercise_17::Tableau& tableau, Index entering) {
   Eigen::MatrixXd& t = tableau.t;
   const Index last = t.cols() - 1;

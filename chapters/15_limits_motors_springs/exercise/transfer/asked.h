@@ -1,4 +1,4 @@
-/// What the transfer exercise 15 asks for.
+/// The answer to the transfer exercise 15, and its checks.
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/any_effect.h"

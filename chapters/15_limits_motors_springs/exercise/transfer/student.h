@@ -7,15 +7,15 @@ namespace student {
 
 using namespace pushback;
 
-/// The joints of chapter 13, all of them rods of one row, that bear a force of at most `strength`.
+/// The joints of chapter 13. All of them are rods of one row, which bear a force of at most `strength`.
 ///
 /// You read    joint_rows_         the rows of this step: for (JointRow& row : joint_rows_), or joint_rows_[i]
 ///             step.dt             h, s
 ///             strength            F, N
-/// of a row    impulse             their sum in this step, N s: above 0 where the rod pushes, below where it pulls
-///             owner               of which joint it is: the index in step.world.joints
-/// and set     lo, hi              the least and the largest sum, N s; no limits where nobody sets any
-/// and change  step.world.joints   a std::vector<Joint>; the order of those that are left stays as it is
+/// of a row    impulse             the sum of its impulses in this step, N s: above 0 if the rod pushes, below 0 if it pulls
+///             owner               the index of its joint in step.world.joints
+/// and set     lo, hi              the least and the largest sum, N s; without limits if you do not set them
+/// and change  step.world.joints   a std::vector<Joint>; the other joints keep their order
 struct Breaking : Joints {
   Real strength = 100;  // N
 
