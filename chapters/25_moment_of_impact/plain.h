@@ -1,7 +1,9 @@
-/// The step that is cut at impacts, as plain functions for one ball above the ground.
+/// The step that is cut at impacts, as plain functions for one ball above the ground, and the search for the impact of a rod.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "pushback/common/basics/types.h"
 
@@ -42,6 +44,43 @@ inline void late_step(Ball& ball, Real g, Real h) {
   if (ball.y >= 0) return;
   ball.y = 0;
   ball.v *= -ball.e;
+}
+
+/// A thin rod that turns in a vertical plane while it falls.
+struct Rod {
+  Real y, v;         // of its middle: m above the ground, m/s upwards
+  Real angle, spin;  // rad from the horizontal, rad/s
+  Real half;         // of its length, m
+};
+
+/// m, between the lower end and the ground.
+inline Real gap(const Rod& rod) {
+  return rod.y - rod.half * std::abs(std::sin(rod.angle));
+}
+
+inline void fly(Rod& rod, Real g, Real t) {
+  rod.y += t * (rod.v - g * t / 2);
+  rod.v -= g * t;
+  rod.angle += t * rod.spin;
+}
+
+/// m/s: no point of the rod falls faster within the next `left` seconds.
+inline Real fastest_fall(const Rod& rod, Real g, Real left) {
+  return std::max(g * left - rod.v, Real(0)) + rod.half * std::abs(rod.spin);
+}
+
+/// s, the time of impact by conservative advancement. The gap is then at most `touching` (m, above rounding), and the rod has not
+/// touched the ground before. Empty if the gap stays larger for `within` seconds.
+///   Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, PhD thesis, Berkeley 1996, 2.3.
+inline std::optional<Real> time_of_impact(Rod rod, Real g, Real within, Real touching) {
+  for (Real t = 0;;) {
+    const Real left = within - t, fastest = fastest_fall(rod, g, left);
+    if (gap(rod) <= touching) return t;
+    if (gap(rod) > fastest * left) return {};
+    const Real safe = gap(rod) / fastest;  // no point can close the gap sooner
+    fly(rod, g, safe);
+    t += safe;
+  }
 }
 
 }  // namespace pushback::plain_25

@@ -107,12 +107,11 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
 }
 
 Exercise exercise() {
-  return rebuild_of(
-      "an error that is known while it runs, and as many substeps as it calls for",
-      {"off_by is one line: the difference without its sign, over 2^p - 1. parts_of_difference(order) has that number.",
-       "Begin judge with what is kept, then what is tried again. What is left stands, and is not kept.",
-       "Fewer for the next step: off times 2^p is below 1/2, and substeps is above bounds.least."},
-      Answer{plain_27::off_by, plain_27::judge_try});
+  return rebuild_of("an error that is known while it runs, and as many substeps as it calls for",
+                    {"off_by is one line: the difference without its sign, divided by 2^p - 1. std::exp2 computes 2^p.",
+                     "Begin judge with what is kept, then what is tried again. What is left stands, and is not kept.",
+                     "Fewer for the next step: off times 2^p is below 1/2, and substeps is above bounds.least."},
+                    Answer{plain_27::off_by, plain_27::judge_try});
 }
 
 }  // namespace pushback::exercise_27
