@@ -5,7 +5,7 @@
 
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/situations.h"
-#include "pushback/engine/substeps/colours.h"
+#include "pushback/engine/substeps/pair_colouring.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
 
@@ -19,16 +19,16 @@ std::vector<bool> movable_in(const World& world) {
   return movable;
 }
 
-std::vector<plain_22::Set> plain_sets(const std::vector<PairOfBodies>& pairs, const World& world) {
+std::vector<plain_22::Set> plain_sets(const std::vector<TouchingPair>& pairs, const World& world) {
   std::vector<plain_22::Pair> plain;
-  for (const PairOfBodies& pair : pairs) plain.push_back({pair.a, pair.b});
+  for (const TouchingPair& pair : pairs) plain.push_back({pair.a, pair.b});
   return plain_22::coloured(plain, movable_in(world));
 }
 
 /// Each pair is in one set, and no movable body occurs twice in a set.
-void check_sets(const std::vector<plain_22::Set>& sets, const std::vector<PairOfBodies>& pairs, const World& world) {
+void check_sets(const std::vector<plain_22::Set>& sets, const std::vector<TouchingPair>& pairs, const World& world) {
   std::vector<plain_22::Pair> left;
-  for (const PairOfBodies& pair : pairs) left.push_back({pair.a, pair.b});
+  for (const TouchingPair& pair : pairs) left.push_back({pair.a, pair.b});
   for (const plain_22::Set& set : sets) {
     std::vector<int> occurs(world.bodies.size(), 0);
     for (const plain_22::Pair& pair : set) {
@@ -42,19 +42,19 @@ void check_sets(const std::vector<plain_22::Set>& sets, const std::vector<PairOf
   CHECK(left.empty());
 }
 
-std::vector<plain_22::Set> engine_sets(const std::vector<PairOfBodies>& pairs, const World& world) {
+std::vector<plain_22::Set> engine_sets(const std::vector<TouchingPair>& pairs, const World& world) {
   std::vector<plain_22::Set> sets;
-  for (const auto& set : coloured(pairs, world)) {
+  for (const auto& set : colour_pairs(pairs, world)) {
     sets.emplace_back();
-    for (const PairOfBodies& pair : set) sets.back().push_back({pair.a, pair.b});
+    for (const TouchingPair& pair : set) sets.back().push_back({pair.a, pair.b});
   }
   return sets;
 }
 
 /// In a set, the engine puts pairs with more contacts first.
-void sort_as_engine(std::vector<plain_22::Set>& sets, const std::vector<PairOfBodies>& pairs) {
+void sort_as_engine(std::vector<plain_22::Set>& sets, const std::vector<TouchingPair>& pairs) {
   const auto contacts = [&pairs](const plain_22::Pair& pair) {
-    const auto is = [&pair](const PairOfBodies& one) { return one.a == pair.a && one.b == pair.b; };
+    const auto is = [&pair](const TouchingPair& one) { return one.a == pair.a && one.b == pair.b; };
     return std::find_if(pairs.begin(), pairs.end(), is)->count;
   };
   for (plain_22::Set& set : sets)
@@ -69,7 +69,7 @@ TEST_CASE("plain colouring: the sets of a pyramid are the engine's, whatever its
     World world;
     pyramid(world, base);
     world.begin_step(h);
-    const std::vector<PairOfBodies> pairs = touching_pairs(world.contacts);
+    const std::vector<TouchingPair> pairs = touching_pairs(world.contacts);
     const std::vector<plain_22::Set> sets = plain_sets(pairs, world);
     CHECK(pairs.size() == static_cast<std::size_t>(base * base));
     CHECK(sets.size() == (base == 1 ? 1u : base == 2 ? 3u : 4u));
@@ -87,7 +87,7 @@ TEST_CASE(
     const std::size_t bodies = 2 + random.below(40);
     World world;
     for (std::size_t k = 0; k < bodies; ++k) world.add(random.below(6) > 0 ? sphere(1, 1) : sphere(1, 1).fixed());
-    std::vector<PairOfBodies> pairs;
+    std::vector<TouchingPair> pairs;
     for (std::size_t a = 0; a < bodies; ++a)
       for (std::size_t b = a + 1; b < bodies; ++b)
         if (random.below(3) == 0 && (world.bodies[a].movable() || world.bodies[b].movable()))
