@@ -91,9 +91,9 @@ int main(int argc, char** argv) {
   std::vector<Real> slops{0, Real(0.005), Real(0.02)};
   e.parameter({"--slop", "slop", "m", "Overlaps to leave alone", 0, 0.1}, &slops);
   Real beta = Baumgarte{}.beta;
-  e.parameter({"--beta", "β", "", "How much of what exceeds the slop one step takes away", 0, 1}, &beta);
+  e.parameter({"--beta", "β", "", "Fraction of the overlap beyond the slop that one step removes", 0, 1}, &beta);
   SmallPile pile;
-  e.parameter({"--depth", "", "m", "How deep each box is in what it lies on at the start", 0, 0.05}, &pile.depth);
+  e.parameter({"--depth", "", "m", "Overlap of each box with its support at the start", 0, 0.05}, &pile.depth);
   return e.run(argc, argv, [&] {
     e.scene({.name = "three boxes at rest",
              .fill = pile,
@@ -101,11 +101,11 @@ int main(int argc, char** argv) {
              .seconds = 4,
              .instants = {Real(3.2)},
              .caption =
-                 "The boxes begin 8 mm deep in each other. A row of the strip is a contact point, from step to step. "
-                 "Without slop the rows are torn: points are lost and detected again, and what they carried is "
-                 "thrown on others. With slop every point stays.",
+                 "The boxes start 8 mm deep in each other. Each bar of the strip is one contact point, from step to "
+                 "step. Without slop the bars are torn, because points are lost and detected again, and the remaining "
+                 "points take over their load. With slop every point stays.",
              .start_shown = false,
-             .raster = Raster{.label = "contact points, the lowest box at the foot",
+             .raster = Raster{.label = "a bar per contact point, the lowest box at the bottom",
                               .of = PointsOfPile(pile),
                               .meaning = {{{170, 190, 214}, "as in the step before"},
                                           {body_ink(3), "new"},

@@ -7,13 +7,27 @@
 using namespace pushback;
 using namespace pushback::restitution_scenes;
 
+namespace {
+
+/// What the first lines of a strobe picture mean. Its pictures move to the right at `pace`, m/s.
+std::vector<Label> labels_of_lines(const BouncingBall& ball, Real pace) {
+  const std::vector<std::string> texts{"the top of the ball should reach h₀", "e² h₀", "e⁴ h₀", "e⁶ h₀"};
+  std::vector<Label> labels;
+  for (int k = 0; k < static_cast<int>(texts.size()); ++k) {
+    const Vec3 at(pace * std::max(Real(-0.1), ball.lands(k)), ball.apex(k) + 2 * ball.radius, 0);
+    labels.push_back({at, texts[static_cast<std::size_t>(k)]});
+  }
+  return labels;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   Experiment e("05_restitution", "How high does it bounce, and how high should it?");
   Real threshold = Real(0.1);
   e.parameter({"--threshold", "", "m/s", "Speed of approach below which nothing bounces", 0, 10}, &threshold);
   FallingBalls balls;
-  e.parameter({"--bounciness", "e", "", "Restitution of the balls that are dropped, each another", 0, 1},
-              &balls.bounciness);
+  e.parameter({"--bounciness", "e", "", "Restitution of the dropped balls, one value each", 0, 1}, &balls.bounciness);
   e.parameter({"--drop", "h₀", "m", "How far these balls fall", 0.1, 2}, &balls.drop);
   return e.run(argc, argv, [&] {
     Solver<Clamping, Baumgarte, Restitution> larger;
@@ -50,13 +64,14 @@ int main(int argc, char** argv) {
     const Vec3 middle = pace * watched / 2 * Vec3::UnitX();
     e.scene({.name = fmt::format("one ball, e = {}", ball.e),
              .fill = ball,
-             .camera = {middle + Vec3(0, Real(1.3), 20), middle + Vec3(0, Real(1.11), 0), Real(0.138)},
+             .camera = {middle + Vec3(0, Real(1.3), 20), middle + Vec3(0, Real(1.19), 0), Real(0.146)},
              .seconds = watched,
              .contacts = Drawn::points,
              .key = "strobe",
-             .caption = "Each line is where the ball's top should just arrive after a bounce. The bias of a "
-                        "contact is, from above: the larger of bounce and push-out; their sum; the larger again, but "
-                        "the bounce counts in this step's gravity.",
+             .caption =
+                 "The top of the ball should just reach each line, at e²ᵏ h₀ after bounce k. The rows differ in the "
+                 "bias of a contact: the larger of bounce and push-out, their sum, and the larger again, with "
+                 "a bounce that counts in this step's gravity.",
              .marks =
                  [=](Picture& picture, const World&, Real time) {
                    for (int k = 0; ball.lands(k) < time; ++k) {
@@ -65,6 +80,7 @@ int main(int argc, char** argv) {
                                         Vec3(pace * std::min(time, ball.lands(k + 1)), y, 0)});
                    }
                  },
+             .labels = labels_of_lines(ball, pace),
              .strobe = Strobe{.every = Real(1) / 15, .shift_per_second = pace * Vec3::UnitX(), .height = 360},
              .in_brief = {{0, 1}},
              .guess = Guess{{0, 1, 2}}});

@@ -80,8 +80,7 @@ int main(int argc, char** argv) {
   BoxesOnSlope slope;
   e.parameter({"--slope", "θ", "rad", "Angle of the slope; μ of its boxes follows", 0.05, 0.9}, &slope.theta);
   Push push;
-  e.parameter({"--mu", "μ", "", "Friction of the boxes sent out over level ground, and of the ball", 0.3, 1.5},
-              &push.mu);
+  e.parameter({"--mu", "μ", "", "Friction of the boxes on level ground, and of the ball", 0.3, 1.5}, &push.mu);
   e.parameter({"--speed", "v₀", "m/s", "Speed of these boxes and of the ball at the start", 1, 8}, &push.v0);
   return e.run(argc, argv, [&] {
     const Real h = e.dt();
@@ -95,8 +94,8 @@ int main(int argc, char** argv) {
              .contacts = Drawn::points,
              .key = "slope",
              .caption =
-                 "Only the box in front, with μ = 0.8 tan θ, should slide, as far as to its outline. All three began "
-                 "at the line across the slope. Distances: after 1.5 s.",
+                 "Only the box in front, with μ = 0.8 tan θ, should slide, as far as its outline. All three started "
+                 "at the line across the slope. The distances are those after 1.5 s.",
              .colours = {{body_ink(colours[0]), "μ = 0.8 tan θ"},
                          {body_ink(colours[1]), "1.05 tan θ"},
                          {body_ink(colours[2]), "1.5 tan θ"}},
@@ -114,7 +113,7 @@ int main(int argc, char** argv) {
     should(e.variant("bounded by μ Σλₙ", After{}).reference("g (sin θ − μ cos θ) t²/2", [=](Real t) {
       return a * t * t / 2;
     }));
-    e.series("way slid, μ = 0.8 tan θ", "m", [slope](const World& world) { return slope.slid(world, 1); });
+    e.series("distance slid, μ = 0.8 tan θ", "m", [slope](const World& world) { return slope.slid(world, 1); });
     e.number("0.8 tan θ slides", "m", [slope](const Run& run) { return slope.slid(run.world, 1); });
     e.number("1.05 tan θ slides", "m", [slope](const Run& run) { return slope.slid(run.world, 2); });
 
@@ -128,8 +127,8 @@ int main(int argc, char** argv) {
              .arrow = Real(0.9),
              .key = "headings",
              .caption =
-                 "All three boxes should stop on the arc. Each tangent has a bound of its own: while a box slips "
-                 "along both, friction is 1.41 times as large as it should be. At 45° it does so to the end.",
+                 "All three boxes should stop on the arc. Each tangent has a bound of its own, so friction is 1.41 "
+                 "times as large as it should be while a box slips along both. The box at 45° does so to the end.",
              .colours = {{body_ink(colours[0]), "0°"}, {body_ink(colours[1]), "22.5°"}, {body_ink(colours[2]), "45°"}},
              .start_shown = false,
              .marks = [=](Picture& picture, const World&, Real) { mark_stops(picture, start + stop); },
@@ -145,8 +144,7 @@ int main(int argc, char** argv) {
         const Vec3 way = run.world.bodies[i + 1].position - start_of(three_headings[i]);
         return Vec3(way.x(), 0, way.z()).norm();
       });
-      if (i == 2)
-        e.series("speed under 45°", "m/s", [](const World& world) { return world.bodies[3].velocity.norm(); });
+      if (i == 2) e.series("speed at 45°", "m/s", [](const World& world) { return world.bodies[3].velocity.norm(); });
     }
 
     e.scene(
@@ -155,8 +153,8 @@ int main(int argc, char** argv) {
          .camera = {{0, Real(1.2), 12}, {0, Real(0.33), 0}, Real(0.091)},
          .seconds = Real(1.2),
          .key = "ball",
-         .caption = "The white line is painted on the ball: without friction it never turns, with friction the "
-                    "ball ends rolling, at 5/7 of its speed.",
+         .caption = "The white line is painted on the ball. Without friction the ball never turns. With friction it "
+                    "ends rolling, at 5/7 of its first speed.",
          .strobe = Strobe{.every = Real(0.2), .shift_per_second = Vec3::Zero(), .height = 240, .marks = mark_hand}});
     e.variant("no friction", Before{});
     e.variant("bounded by μ Σλₙ", After{})
@@ -172,8 +170,8 @@ int main(int argc, char** argv) {
     e.study([&e, push, stop, h] {
       const Real shown = std::ceil(11 * stop) / 10;
       e.panel({.title = "seen from above: the pyramid's corner",
-               .x_label = "way along t₁, m",
-               .y_label = "way along t₂, m",
+               .x_label = "distance along t₁, m",
+               .y_label = "distance along t₂, m",
                .curves = {circle(stop), resting_places(push, h, e.sweeps())},
                .x_range = {0, shown},
                .y_range = {0, shown},

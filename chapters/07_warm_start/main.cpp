@@ -120,13 +120,14 @@ int main(int argc, char** argv) {
   std::vector<int> sweep_counts{1, 2, 3, 5, 8, 10, 15, 20, 30, 50, 80, 120, 200, 400, 800};
   e.parameter({"--sweep-counts", "", "", "Numbers of sweeps for the diagrams", 1, 10000}, &sweep_counts);
   WrongIds wrong_ids;
-  e.parameter({"--wrong-ids", "", "", "How many places on in the list a contact finds its impulse; 0: its own", 0, 100},
+  e.parameter({"--wrong-ids", "", "",
+               "Offset in the list of contacts from which a contact takes its impulse; 0: its own", 0, 100},
               &wrong_ids.places);
   int boxes = 10, base = 10;
   e.parameter({"--boxes", "n", "", "Boxes of the stacks", 1, 20}, &boxes);
   e.parameter({"--base", "", "", "Boxes in the lowest row of the pyramid", 1, 15}, &base);
   Real depth = Real(0.005);
-  e.parameter({"--depth", "", "m", "How deep in each other the boxes of the last stack begin", 0, 0.05}, &depth);
+  e.parameter({"--depth", "", "m", "Overlap of the boxes of the last stack at the start", 0, 0.05}, &depth);
   return e.run(argc, argv, [&] {
     const auto scene = [&e](Scene told) {
       told.seconds = 60;
@@ -150,38 +151,41 @@ int main(int argc, char** argv) {
     const Real middle = static_cast<Real>(boxes) / 10;
     const Camera of_stack{middle * Vec3(7, 7, 14), {0, middle * Real(4.9), 0}, Real(0.68)};
 
-    scene({.name = tall + " in steps of h/2",
-           .fill = stacked,
-           .camera = of_stack,
-           .instants = {60},
-           .key = "stack",
-           .caption = "The thin outlines are the boxes as they began. All do the same number of sweeps: "
-                      "cold, the stack falls within a minute; warm, it stands; with each contact started from the "
-                      "impulse of its neighbour it sways.",
-           .start_shown = false,
-           .marks = AsBegan(stacked),
-           .cell_height = 520,
-           .in_brief = {{0, 1}},
-           .guess = Guess{{0, 1, 2}}});
-    e.variant("cold", InTwoSteps(Cold{})).with_sweeps(5).coloured(0);
-    e.variant("warm", InTwoSteps(FullSolver{})).with_sweeps(5).coloured(1);
-    e.variant("warm, wrong ids", InTwoSteps(wrong_ids)).with_sweeps(5).coloured(2);
-
     const auto piled = [base](World& world) { pyramid(world, base); };
     const Real half = static_cast<Real>(base) / 10;
     scene({.name = "a pyramid, " + spelled(base) + " wide, in steps of h/2",
            .fill = piled,
            .camera = {half * Vec3(4, 7, 18), {0, half * Real(4.5), 0}, Real(0.62)},
-           .instants = {60},
+           .instants = {40},
            .contacts = Drawn::nothing,
            .key = "pyramid",
-           .caption = "Wrong ids hold the pyramid up for longer than a cold start does, but not for the minute.",
+           .caption = "After 40 s, with the same number of sweeps. The thin outlines are the boxes at the start. Cold, "
+                      "the pyramid has collapsed. Warm, it stands. With wrong ids it is coming apart, and will "
+                      "collapse within the minute.",
            .start_shown = false,
            .marks = AsBegan(piled),
-           .cell_height = 440});
+           .cell_height = 440,
+           .in_brief = {{0, 1}},
+           .guess = Guess{{0, 1, 2}}});
     e.variant("cold", InTwoSteps(Cold{})).with_sweeps(2).coloured(0);
     e.variant("warm", InTwoSteps(FullSolver{})).with_sweeps(2).coloured(1);
     e.variant("warm, wrong ids", InTwoSteps(wrong_ids)).with_sweeps(2).coloured(2);
+
+    scene({.name = tall + " in steps of h/2",
+           .fill = stacked,
+           .camera = of_stack,
+           .instants = {60},
+           .key = "stack",
+           .caption = "After a minute, with the same number of sweeps. The thin outlines are the boxes at the start. "
+                      "Cold, the stack has fallen. Warm, it stands. With the impulses of neighbouring contacts, it "
+                      "sways.",
+           .start_shown = false,
+           .marks = AsBegan(stacked),
+           .cell_height = 520,
+           .in_brief = {{0, 1}}});
+    e.variant("cold", InTwoSteps(Cold{})).with_sweeps(5).coloured(0);
+    e.variant("warm", InTwoSteps(FullSolver{})).with_sweeps(5).coloured(1);
+    e.variant("warm, wrong ids", InTwoSteps(wrong_ids)).with_sweeps(5).coloured(2);
 
     // What falls although it is started warm, and what of it is to blame.
     scene({.name = tall + " in steps of h", .fill = stacked, .camera = of_stack, .pictures = false});

@@ -137,8 +137,8 @@ void box_in_the_ground(Experiment& e, const Ways& by, Real depth) {
            .camera = {{0, Real(1.7), 16}, {0, Real(0.5), 0}, Real(0.119)},
            .seconds = Real(0.6),
            .key = "box",
-           .caption = "The box is drawn every 0.1 s, each time farther to the right. The line is as high as its top "
-                      "at rest.",
+           .caption = "The box is drawn every 0.1 s, each time farther to the right. The line marks the height of its "
+                      "top at rest.",
            .marks = [](Picture& picture, const World&,
                        Real) { add_line(picture, {{-4, 1, Real(0.5)}, {4, 1, Real(0.5)}}); },
            .strobe = Strobe{.every = Real(0.1), .shift_per_second = {Real(11.5), 0, 0}, .height = 340}});
@@ -244,9 +244,10 @@ int main(int argc, char** argv) {
   Ways by;
   Real beta = by.baumgarte.beta, most = by.split.most;
   e.parameter(
-      {"--beta", "β", "", "How much of an overlap one step takes away; of non-linear Gauss-Seidel, one round", 0, 1},
+      {"--beta", "β", "", "Fraction of an overlap that one step removes; for non-linear Gauss-Seidel, one round", 0, 1},
       &beta);
-  e.parameter({"--most", "", "m", "What a contact may ask for in one step; Baumgarte has no such bound", 0, 1}, &most);
+  e.parameter({"--most", "", "m", "Largest correction of a contact in one step; Baumgarte has no such bound", 0, 1},
+              &most);
   e.parameter({"--rounds", "", "", "Rounds of non-linear Gauss-Seidel", 0, 100}, &by.ngs.rounds);
   Real depth = very_deep;
   e.parameter({"--depth", "", "m", "How deep the box is in the ground", 0.01, 0.4}, &depth);

@@ -8,7 +8,8 @@ using namespace pushback::substeps_scenes;
 int main(int argc, char** argv) {
   Experiment e("11_substeps", "Many sweeps, or many substeps?");
   int count = 32;
-  e.parameter({"--substeps", "", "", "Substeps in each step, and sweeps where a step is not cut", 1, 128}, &count);
+  e.parameter({"--substeps", "", "", "Substeps in each step, and sweeps in steps that are not divided", 1, 128},
+              &count);
   int tall = 20;
   e.parameter({"--boxes", "n", "", "Boxes of the stack", 2, 25}, &tall);
   HeavyOnLight heavy;
@@ -27,12 +28,12 @@ int main(int argc, char** argv) {
              .fill = [tall](World& world) { stack(world, tall); },
              .camera = {{12, top / 2 + 6, 60}, {Real(0.8), top / 2 + Real(0.35), 0}, Real(0.363)},
              .seconds = 10,
-             .instants = {Real(2.5)},
+             .instants = {5},
              .contacts = Drawn::nothing,
-             .caption = "All three stacks started between the thin lines. The pictures are of 2.5 s, the numbers of 10 "
-                        "s. The lean is drawn five times as large as it is.",
+             .caption =
+                 "All three stacks started between the thin lines. The pictures show them after 5 s, the numbers are "
+                 "those after 10 s.",
              .start_shown = false,
-             .magnified = 5,
              .marks = [where_it_stood](Picture& picture, const World&,
                                        Real) { add_outline(picture, where_it_stood, near_black_colour(), Real(0.8)); },
              .cell_height = 960,

@@ -127,7 +127,7 @@ int main(int argc, char** argv) {
     const auto overlap_of_stack = [w](int boxes) {
       return 1000 * 2 * static_cast<Real>(boxes - 1) * World::g / (w * w);
     };
-    const Real top = tall, times = 1000, yield = World::g / (w * w);
+    const Real top = tall, times = 300, yield = World::g / (w * w);
     // Of a stack on soft contacts at rest, from the ground to its top.
     const Real height = top - times * yield * top * top;
     const std::vector<Vec3> rests{{-Real(0.5), 0, Real(0.55)},
@@ -141,8 +141,9 @@ int main(int argc, char** argv) {
          .camera = {{middle - 16, Real(0.08) * top, 20 * top}, {middle, Real(0.51) * top, 0}, Real(0.0555)},
          .seconds = 10,
          .contacts = Drawn::nothing,
-         .caption = "The stack is drawn every 0.25 s from left to right, displacements a thousand times as large. "
-                    "Thin lines: where soft contacts should come to rest.",
+         .caption =
+             "The stack every 0.25 s from left to right, its displacements drawn 300 times as large. Thin lines: "
+             "where soft contacts should come to rest.",
          .start_shown = false,
          .magnified = times,
          .strobe = Strobe{.every = Real(0.25),

@@ -38,9 +38,9 @@ Real off_the_catenary(const World& world) {
 int main(int argc, char** argv) {
   Experiment e("14_joints_under_load", "Which part of a joint's impulse may the next step start from?");
   Real beta = Real(0.2);
-  e.parameter({"--beta", "β", "", "What a step of --dt takes away of a joint's error", 0, 1}, &beta);
+  e.parameter({"--beta", "β", "", "Fraction of a joint's error that a step of --dt removes", 0, 1}, &beta);
   int substeps = 10;
-  e.parameter({"--substeps", "", "", "Substeps in each step, where a variant has them", 2, 32}, &substeps);
+  e.parameter({"--substeps", "", "", "Substeps in each step, for the variants with substeps", 2, 32}, &substeps);
   ChainWithWeight chain;
   e.parameter({"--links", "", "", "Links of the chain with the weight", 1, 20}, &chain.links);
   e.parameter({"--mass-ratio", "", "", "Mass of that weight, in masses of a link", 1, 1000}, &chain.mass_ratio);
@@ -100,7 +100,7 @@ int main(int argc, char** argv) {
              .seconds = 5,
              .instants = {0, Real(0.7), 2, 5},
              .key = "bridge",
-             .caption = "Warm remembers the position correction too, and under three boxes the bridge tears.",
+             .caption = "The warm start also keeps the position correction, and the bridge tears under three boxes.",
              .start_shown = false});
     e.variant("warm", with_joint_beta<Warm>(beta)).with_exactly(10);
     e.variant("split impulse", with_joint_beta<JointedSolver>(beta)).with_exactly(10);

@@ -222,7 +222,7 @@ int main(int argc, char** argv) {
   Real torque = follow_torque;
   e.parameter({"--torque", "", "N m", "Torque of the motor that is to follow sin t", 0, 1000}, &torque);
   Real stop_at = bar_stop;
-  e.parameter({"--stop", "", "°", "Where the bar's stop is, from hanging down", -60, 60}, &stop_at);
+  e.parameter({"--stop", "", "°", "Angle of the bar's stop, from hanging down", -60, 60}, &stop_at);
   TwoWinches winches;
   e.parameter({"--load", "m", "kg", "Mass of the heavy load, which its winch cannot hold", 2.1, 10},
               &winches.heavy_load);
@@ -236,7 +236,7 @@ int main(int argc, char** argv) {
   Real incline_by = cart_slope;
   e.parameter({"--slope", "", "°", "Angle of the slope that the cart is to climb", 8, 30}, &incline_by);
   Real pump = Real(0.05);
-  e.parameter({"--pump", "ε", "", "Part by which the swing's rod is shortened and lengthened", 0, 0.08}, &pump);
+  e.parameter({"--pump", "ε", "", "Fraction by which the swing's rod is shortened and lengthened", 0, 0.08}, &pump);
   return e.run(argc, argv, [&] {
     bar_with_a_stop(e, stop_at);
     pointers_that_follow(e, torque, e.dt());

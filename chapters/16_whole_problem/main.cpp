@@ -22,7 +22,8 @@ int main(int argc, char** argv) {
   StackInGate gate;
   e.parameter({"--boxes", "n", "", "Boxes of the stack", 1, 30}, &gate.boxes);
   Real ratio = 1000;
-  e.parameter({"--mass-ratio", "", "", "Mass of a box on four others, in masses of one", 1, 10000}, &ratio);
+  e.parameter({"--mass-ratio", "", "", "Mass of a box on four others, as a multiple of the mass of one", 1, 10000},
+              &ratio);
   return e.run(argc, argv, [&] {
     const std::string tall = "a stack of " + spelled(gate.boxes);
     const Fill stacked = [boxes = gate.boxes](World& world) { stack(world, boxes); };

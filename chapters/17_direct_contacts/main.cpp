@@ -20,17 +20,15 @@ int main(int argc, char** argv) {
   e.parameter({"--mass-ratio", "", "", "Mass of the upper box, in masses of one below", 1, 10000}, &pile.ratio);
   return e.run(argc, argv, [&] {
     const std::string heavy = spelled(pile.ratio) + " times heavier on four";
-    e.scene(
-        {.name = heavy + ", every step from nothing",
-         .fill = pile,
-         .camera = {{Real(1.6), Real(3.2), Real(10)}, {0, Real(2.3), 0}},
-         .seconds = 1,
-         .instants = {1},
-         .caption =
-             "Thin lines: where the boxes should be. Which solver keeps the heavy one, the uppermost, from sinking?",
-         .start_shown = false,
-         .marks = [](Picture& picture, const World&, Real) { HeavyOnFour::mark(picture); },
-         .cell_height = 500});
+    e.scene({.name = heavy + ", every step from nothing",
+             .fill = pile,
+             .camera = {{Real(1.6), Real(3.2), Real(10)}, {0, Real(2.3), 0}},
+             .seconds = 1,
+             .instants = {1},
+             .caption = "Thin lines: where the boxes should be. Which solver keeps the heavy box on top from sinking?",
+             .start_shown = false,
+             .marks = [](Picture& picture, const World&, Real) { HeavyOnFour::mark(picture); },
+             .cell_height = 500});
     e.variant("10 sweeps", Cold{}).with_exactly(10).expect("sunk by", 0);
     e.variant("1000 sweeps", Cold{}).with_exactly(1000).expect("sunk by", 0);
     e.variant("direct contact solve", Direct{}).with_exactly(1).expect("sunk by", 0);

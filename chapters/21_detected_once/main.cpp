@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
   Experiment e("21_detected_once", "How often must contacts be detected?");
   DetectedOnce once;
   e.parameter({"--substeps", "", "", "Substeps in each step", 1, 128}, &once.substeps);
-  e.parameter({"--margin", "", "m", "From how far apart bodies count as touching", 0, 0.2}, &once.margin);
+  e.parameter({"--margin", "", "m", "Gap up to which bodies count as touching", 0, 0.2}, &once.margin);
   RollingCube cube;
   e.parameter({"--spin", "ω", "rad/s", "Spin of the cube that rolls", 0, 30}, &cube.spin);
   FallingBall ball;
@@ -46,17 +46,16 @@ int main(int argc, char** argv) {
     };
     const auto kept = [&]() -> Variant& { return e.variant("detected once", once).with_exactly(1).coloured(1); };
 
-    const Strobe strobe{.every = Real(0.5), .shift_per_second = {3, 0, 0}, .from = 1, .height = 200};
+    const Strobe strobe{.every = Real(0.5), .shift_per_second = {3, 0, 0}, .height = 200};
     e.scene(
         {.name = "a cube rolls",
          .fill = cube,
-         .camera = {{Real(6.7), Real(1.3), 40}, {Real(6.7), Real(0.85), 0}, Real(0.0515)},
+         .camera = {{Real(8.3), Real(1.4), 40}, {Real(8.3), Real(0.95), 0}, Real(0.0608)},
          .seconds = Real(2.5),
          .contacts = Drawn::nothing,
-         .caption = "The cube every 0.5 s, from 1 s on, each time drawn 1.5 m farther to the right. Outlines: where "
-                    "the cube of the "
-                    "first row "
-                    "is. Detected once, the cube falls behind.",
+         .caption =
+             "The cube is drawn every 0.5 s, each time 1.5 m farther to the right than it is. The outlines are the "
+             "cube of the first row. Detected once per step, the cube falls behind.",
          .marks = [=, h = e.dt()](Picture& picture, const World&,
                                   Real time) { add_first_row(picture, cube, in_each, strobe, time, once.substeps, h); },
          .strobe = strobe,
@@ -67,8 +66,8 @@ int main(int argc, char** argv) {
     kept();
     e.variant("detected four times", Substeps(in_a_quarter, 4)).with_exactly(1).coloured(3);
     e.series("height", "m", [](const World& world) { return world.bodies[1].position.y(); });
-    e.series_without_curves("way", [](const World& world) { return world.bodies[1].position.x(); });
-    e.number("way", "m", [](const Run& run) { return run.series.at("way").back(); });
+    e.series_without_curves("distance", [](const World& world) { return world.bodies[1].position.x(); });
+    e.number("distance", "m", [](const Run& run) { return run.series.at("distance").back(); });
 
     e.scene({.name = "a ball arrives", .fill = ball, .seconds = 2, .pictures = false});
     each();

@@ -105,13 +105,13 @@ Panel at_best_by_boxes(const std::vector<int>& threads) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Experiment e("23_threads", "What have threads to wait for?");
+  Experiment e("23_threads", "What do threads wait for?");
   int substeps = 8;
   e.parameter({"--substeps", "", "", "Substeps in each step", 1, 128}, &substeps);
   int base = 14;
   e.parameter({"--base", "n", "", "Boxes of the pyramid's lowest row", 1, 20}, &base);
   int threads = 4;
-  e.parameter({"--threads", "T", "", "Threads that the picture is of", 1, 16}, &threads);
+  e.parameter({"--threads", "T", "", "Number of threads in the picture", 1, 16}, &threads);
   return e.run(argc, argv, [&] {
     const auto fill_pyramid = [base](World& world) {
       pyramid(world, base);
@@ -135,8 +135,9 @@ int main(int argc, char** argv) {
              .seconds = 1,
              .contacts = Drawn::nothing,
              .caption =
-                 "The same pyramid four times, with the pairs of its first, second, third and fourth set. Thread 1 has "
-                 "eight pairs in each, and waits for those that have sixteen.",
+                 "The same pyramid four times, with the pairs of its first, second, third and fourth set. Each line is "
+                 "a pair of touching boxes, in the colour of its thread. Thread 1 solves eight pairs of each set, and "
+                 "then waits for the threads that solve sixteen.",
              .colours = colours_of(threads),
              .start_shown = false,
              .marks =
@@ -165,7 +166,7 @@ int main(int argc, char** argv) {
     e.number("times as fast, at best", "",
              [threads](const Run& run) { return at_best(sets_in(run.world), static_cast<std::size_t>(threads)); });
 
-    e.scene({.name = "who does the work", .fill = fill_pyramid, .seconds = 1, .pictures = false});
+    e.scene({.name = "other numbers of threads", .fill = fill_pyramid, .seconds = 1, .pictures = false});
     const auto alone = std::make_shared<Beside>(fill_pyramid, wide_with(nullptr));
     e.number("bodies elsewhere than with one thread", "",
              [alone](const Run& run) { return elsewhere(run.world, alone->after(run.world.time, run.dt)); });

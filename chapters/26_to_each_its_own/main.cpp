@@ -55,7 +55,7 @@ Real largest_size(const Curve& curve) {
 int main(int argc, char** argv) {
   Experiment e("26_to_each_its_own", "Which part of a scene calls for which step?");
   Yard yard;
-  e.parameter({"--speed", "v", "m/s", "Speed of the ball that comes upon ten", 0, 20}, &yard.speed);
+  e.parameter({"--speed", "v", "m/s", "Speed of the ball that hits ten others", 0, 20}, &yard.speed);
   return e.run(argc, argv, [&] {
     const std::vector<std::pair<StepType, std::string>> ways{
         {StepType::flight, "in flight"}, {StepType::half_steps, "by half steps"}, {StepType::substeps, "by substeps"}};

@@ -8,6 +8,7 @@
 #include "pushback/common/experiment/film.h"
 #include "pushback/common/experiment/kept_picture.h"
 #include "pushback/common/experiment/picture_of.h"
+#include "pushback/common/experiment/sheet.h"
 
 namespace pushback {
 
@@ -119,7 +120,9 @@ void Experiment::Shots::take(const World& world, std::size_t step) {
   if (frames_.contains(step)) {
     Image frame = output_.painter(output_.frame()).draw(picture(world, step));
     write_text(frame, variant_.name, 14, 30, 20, {}, Align::left, true);
-    write_text(frame, fmt::format("t = {:.3f} s", time), 14, frame.height - 14, 18);
+    write_text(frame, fmt::format("t = {:.3f} s", time) + how_magnified(), 14, frame.height - 14, 18);
+    const Real aspect = static_cast<Real>(frame.width) / static_cast<Real>(frame.height);
+    write_labels(frame, labels_of(scene_, aspect), 0, 0, frame.width, frame.height, 18);
     for (std::size_t n = frames_.count(step); n > 0; --n)
       write_png(folder_ / fmt::format("frame_{:04}.png", frames_drawn_++), frame);
     output_.progress(experiment_.name_, index_, variant_.name, frames_drawn_, frames_.size());

@@ -268,6 +268,8 @@ std::optional<Sheet> Experiment::sheet_of(std::size_t index, std::vector<Result>
     sheet.rows.push_back(std::move(row));
   }
   if (sheet.rows.empty()) return {};
+  const Image& cell = sheet.rows.front().cells.front();
+  sheet.labels = labels_of(scene, static_cast<Real>(cell.width) / static_cast<Real>(cell.height));
   const std::size_t last = sheet.rows.size() - 1;
   const auto [one, other] = scene.in_brief.value_or(std::pair(std::size_t{0}, last));
   sheet.in_brief = {std::min(one, last), std::min(other, last)};  // --variants may have left some out

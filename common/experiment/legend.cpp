@@ -36,8 +36,8 @@ std::vector<LegendEntry> Legend::entries() const {
                            : friction                         ? "contact: new, or without friction"
                                                               : "contact");
   add(ContactState::warm, "contact kept from the step before");
-  add(ContactState::sticking, "sticking contact");
-  add(ContactState::sliding, "sliding contact");
+  add(ContactState::sticking, "friction below its limit");
+  add(ContactState::sliding, "friction at its limit");
   if (normal_arrows_) all.push_back({Kind::arrow, normal_arrow_ink(), "normal impulse"});
   if (friction_arrows_) all.push_back({Kind::arrow, friction_arrow_ink(), "friction impulse"});
   if (sleepers_) all.push_back({Kind::body, asleep_ink(), "asleep"});

@@ -34,6 +34,12 @@ struct Raster {
   std::vector<std::pair<Ink, std::string>> meaning;
 };
 
+/// A text in a picture, which begins just above a point.
+struct Label {
+  Vec3 at;  ///< m, world axes
+  std::string text;
+};
+
 /// How a picture shows contacts.
 enum class Drawn { nothing, points, impulses };
 
@@ -58,10 +64,12 @@ struct Scene {
   std::string caption = "";                               ///< one sentence on the sheet: what to look for
   std::vector<std::pair<Ink, std::string>> colours = {};  ///< the meaning of colours that only this scene uses
   bool start_shown = true;  ///< whether the sheet shows the start, which all variants share
-  Real magnified = 1;       ///< factor on the drawn displacements and rotations since the start
+  /// Factor on the drawn displacements and rotations since the start. If it is not 1, the pictures get a scale bar.
+  Real magnified = 1;
   /// Adds further marks to each picture (see marks.h), such as expected positions as thin lines, or arrows. It gets the world as it is
   /// drawn, including `magnified`. It marks a strobe picture once, with the world of its last instant. `time`: s.
   std::function<void(Picture&, const World&, Real time)> marks = {};
+  std::vector<Label> labels = {};     ///< in all pictures of the sheet, also in the reader's guess
   std::optional<Strobe> strobe = {};  ///< replaces the columns
   std::optional<Raster> raster = {};  ///< below each row, or to the right of its picture if there is only one
   int cell_height = 0;                ///< pixels, for a cell 500 wide; 0: in the proportions of --size, by default 281

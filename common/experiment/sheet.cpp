@@ -33,6 +33,7 @@ class Drawing {
   explicit Drawing(Image& onto) : image_(onto) {}
 
   int draw(const Sheet& sheet) {
+    labels_ = &sheet.labels;
     head(sheet);
     if (side_by_side(sheet)) beside_each_other(sheet);
     else rows(sheet);
@@ -178,14 +179,34 @@ class Drawing {
     const int left = side == Align::left ? x + 8 : x + width - 8 - wide;
     if (picture.width == width) paste(picture, image_, x, y);
     else paste(picture, image_, x, y, width, height);
+    write_labels(image_, *labels_, x, y, width, height, 20);
     if (note.empty()) return;
     fill_rectangle(image_, left, y + 8, wide, 28, white, 0.72F);
     write_text(image_, note, left + 8, y + 29, 20, sheet_dark);
   }
 
   Image& image_;
+  const std::vector<SheetLabel>* labels_ = nullptr;
   int y_ = 0;
 };
+
+/// A scale bar for displacements: the largest of 1, 2 and 5 times a power of ten of metres that covers at most a sixth of the
+/// picture's height. `aspect`: its width by its height.
+SheetLabel scale_bar(const Scene& scene, Real aspect) {
+  const Real height = scene.camera.height_at(scene.camera.target), most = height / (6 * scene.magnified);
+  const Real power = std::pow(Real(10), std::floor(std::log10(most))), factor = most / power;
+  const Real length = power * static_cast<Real>(factor < 2 ? 1 : factor < 5 ? 2 : 5);
+  return {0.01F, 0.9F, fmt::format("{:g} mm", 1000 * length),
+          static_cast<float>(length * scene.magnified / (height * aspect))};
+}
+
+constexpr float small_text = 13;  // pixels, of labels in small pictures
+
+Image small(const Image& picture, const Sheet& sheet, int width) {
+  Image image = resized(picture, width, high(picture, width));
+  write_labels(image, sheet.labels, 0, 0, image.width, image.height, small_text);
+  return image;
+}
 
 }  // namespace
 
@@ -200,12 +221,42 @@ Image make_thumbnail(const Sheet& sheet) {
   constexpr int between = 4, width = 320;
   const auto [one, other] = sheet.in_brief;
   const Image& last = sheet.rows[other].cells.back();
-  if (sheet.wide) return resized(last, 2 * width + between, high(last, 2 * width + between));
+  if (sheet.wide) return small(last, sheet, 2 * width + between);
   Image thumbnail(2 * width + between, high(last, width), 255);
   const std::vector<Image>& first = sheet.rows[one].cells;
-  paste(one != other ? first.back() : first.front(), thumbnail, 0, 0, width, thumbnail.height);
-  paste(last, thumbnail, width + between, 0, width, thumbnail.height);
+  paste(small(one != other ? first.back() : first.front(), sheet, width), thumbnail, 0, 0);
+  paste(small(last, sheet, width), thumbnail, width + between, 0);
   return thumbnail;
+}
+
+void write_labels(Image& image, const std::vector<SheetLabel>& labels, int x, int y, int width, int height,
+                  float size) {
+  for (const SheetLabel& label : labels) {
+    const int left = x + static_cast<int>(std::lround(label.x * static_cast<float>(width)));
+    const int base = y + static_cast<int>(std::lround(label.y * static_cast<float>(height)));
+    const int bar = static_cast<int>(std::lround(label.bar * static_cast<float>(width))),
+              end = static_cast<int>(size / 5);
+    if (bar > 0) {
+      fill_rectangle(image, left, base - 1, bar, 2, sheet_dark);
+      for (const int at : {left, left + bar - 2}) fill_rectangle(image, at, base - end, 2, 2 * end, sheet_dark);
+    }
+    const int foot = base - static_cast<int>(0.3F * size), top = foot - static_cast<int>(size);
+    fill_rectangle(image, left, top, text_width(label.text, size), base - 2 - top, white, 0.5F);  // it may be on a body
+    write_text(image, label.text, left, foot, size, sheet_dark);
+  }
+}
+
+std::vector<SheetLabel> labels_of(const Scene& scene, Real aspect) {
+  std::vector<SheetLabel> all;
+  for (const Label& label : scene.labels) {
+    const Camera& camera = scene.camera;
+    const Vec3 ahead = (camera.target - camera.eye).normalized(), right = ahead.cross(Vec3::UnitY()).normalized();
+    const Vec3 from_middle = (label.at - camera.eye) / camera.height_at(label.at);
+    all.push_back({static_cast<float>(Real(0.5) + right.dot(from_middle) / aspect),
+                   static_cast<float>(Real(0.5) - right.cross(ahead).dot(from_middle)), label.text});
+  }
+  if (scene.magnified != 1) all.push_back(scale_bar(scene, aspect));
+  return all;
 }
 
 std::vector<std::size_t> guess_order(const std::string& name, std::size_t count) {
@@ -227,8 +278,8 @@ std::vector<Image> make_guess(const Sheet& sheet, const Guess& guess) {
   std::vector<Image> mixed;
   for (const std::size_t which : guess_order(sheet.scene, all.size())) {
     const Image& image = *all[which];
-    const int wide = sheet.wide ? 640 : std::min(320, 240 * image.width / image.height);
-    mixed.push_back(resized(image, wide, high(image, wide)));
+    const int wide = sheet.wide ? 640 : std::clamp(240 * image.width / image.height, 180, 320);
+    mixed.push_back(small(image, sheet, wide));
   }
   return mixed;
 }

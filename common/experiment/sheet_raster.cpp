@@ -54,6 +54,11 @@ int draw_raster(Image& image, const Raster& raster, const std::vector<std::vecto
       fill_rectangle(image, edge(step), y + static_cast<int>(row) * cell, wide, cell, ink);
     }
   }
+  constexpr int apart = 10;  // pixels; lower rows would lose too much of their height to the lines between them
+  if (cell >= apart) {
+    for (int row = 1; row < static_cast<int>(rows); ++row)
+      fill_rectangle(image, x, y + row * cell - 1, place.width, 2, empty);
+  }
   y += height;
 
   const int tick = tick_of(steps);

@@ -249,7 +249,7 @@ EMSCRIPTEN_KEEPALIVE const char* live_draw(int track, int shown, int x, int y, i
     on_canvas->draw(picture, {x, y, width, height}, (shown & 8) != 0);
   });
 }
-/// [["dot", "#rrggbb", "sticking contact"], ...]
+/// [["dot", "#rrggbb", "friction below its limit"], ...]
 EMSCRIPTEN_KEEPALIVE const char* live_legend() {
   std::vector<std::string> all;
   for (const LegendEntry& entry : marks_seen.entries()) {

@@ -102,6 +102,23 @@ TEST_CASE("a sheet is 1600 wide, and its cells stand on it three in a row, pixel
   }
 }
 
+TEST_CASE("a label begins at its point, and a scale bar is as long as the displacement it names is drawn") {
+  Scene scene;
+  scene.camera = {{0, 0, 10}, {0, 0, 0}, 2 * std::atan(Real(0.1))};  // sees 2 m from top to bottom
+  scene.labels = {{Vec3(1, Real(0.5), 0), "a corner"}};
+  scene.magnified = 100;
+  const std::vector<SheetLabel> labels = labels_of(scene, 2);
+  REQUIRE(labels.size() == 2);
+  CHECK(labels[0].text == "a corner");
+  CHECK(labels[0].x == Approx(0.75));
+  CHECK(labels[0].y == Approx(0.25));
+  CHECK(labels[0].bar == 0);
+  CHECK(labels[1].text == "2 mm");
+  CHECK(labels[1].bar == Approx(100 * 0.002 / 4));
+  scene.magnified = 1;
+  CHECK(labels_of(scene, 2).size() == 1);
+}
+
 TEST_CASE("one name has one marker in all scenes, whichever variants are run") {
   const Scratch scratch;
   const std::string out = (scratch / "").string();

@@ -275,7 +275,7 @@ TEST_CASE("in the sheet of 07 a reader's loop stands in half steps, as the chapt
   const Reader reader;
   reader.write(plain_loop(7));
   CHECK(reader.call("07 --seed 1").status == 0);
-  std::string warm, mine;  // of the first scene
+  std::string warm, mine;  // of the stack
   for (const std::string& line : lines_of(text_of(reader.folder / "07/numbers.md"))) {
     if (warm.empty() && contains(line, " warm, 5 sweeps |")) warm = line.substr(line.find("sweeps") + 8);
     if (mine.empty() && contains(line, " mine, 5 sweeps |")) mine = line.substr(line.find("sweeps") + 8);
