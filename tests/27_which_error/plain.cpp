@@ -47,7 +47,7 @@ TEST_CASE("plain controller: each of its decisions is the engine's") {
 
 TEST_CASE("plain controller: the estimate of each step is its true error, within the bounds that the page names") {
   if (!in_double) return;
-  for (const Real degrees : {10, 60, 120, 170})
+  for (const Real degrees : {Real(10), Real(60), Real(120), Real(170)})
     for (const Real error : {Real(1e-2), Real(1e-3), Real(1e-4), Real(1e-5)}) {
       CAPTURE(degrees, error);
       plain_24::Bob bob = released_at(degrees * pi / 180);
