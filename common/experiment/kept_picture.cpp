@@ -22,7 +22,7 @@ bool shows_already(const std::filesystem::path& file, const Image& image) {
 bool shows_the_same(const Image& a, const Image& b) {
   if (a.width != b.width || a.height != b.height) return false;
   const Difference pixels = difference(a, b);
-  return pixels.mean < 1 && pixels.share < 0.005 && difference(a, b, 2, 48).share == 0;
+  return pixels.mean < 0.5 && pixels.share < 0.005 && difference(a, b, 2, 48).share == 0;
 }
 
 void keep_picture(const std::filesystem::path& file, const Image& image) {
