@@ -7,7 +7,8 @@ import { markdown } from "./markdown.js";
 import { addressOf, outline, relative, toRoot } from "./outline.js";
 import { placesOf, quotable } from "./sources.js";
 
-const copied = /\.(png|svg|webp|csv)$/;
+const copied = /\.(png|svg|webp)$/;
+const elsewhere = /^(tests|tools)(\/|$)|\.csv$/; // sources and data that are read in the repository, not in the book
 const challenges = "docs/challenges.md";
 
 export class Problems extends Error {
@@ -17,23 +18,26 @@ export class Problems extends Error {
 }
 
 /// {pages, sources, folders, files, pictures}: `sources` are shown as pages of their own, `files` are copied as they are.
-/// `live`: the experiments that are there to be run, each an engine by its name; `idle`: sliders that change nothing in a scene.
-export function readBook(root, live = new Map(), idle = {}) {
+/// `live`: the experiments that are there to be run, each an engine by its name; `idle`: sliders that change nothing in a
+/// scene; `repository`: its web address, where it is known.
+export function readBook(root, live = new Map(), idle = {}, repository) {
   const problems = [];
   const files = new Set();
   const pictures = [];
   const anchors = [];
   const folders = new Map();
-  const shown = new Map(); // each source that is shown, and the pages that name it
+  const shown = new Map(); // each source that is shown: {readIn, lines}, the pages that name it, and the lines they lead to
   const quotes = quotable(root);
   const md = markdown();
   const pages = outline(root);
   const byFile = new Map(pages.map((page) => [page.file, page]));
 
-  const show = (file, page) => {
-    if (!shown.has(file)) shown.set(file, new Set());
-    shown.get(file).add(page);
+  const show = (file, page, line) => {
+    if (!shown.has(file)) shown.set(file, { readIn: new Set(), lines: new Set() });
+    shown.get(file).readIn.add(page);
+    shown.get(file).lines.add(line);
   };
+  const inRepository = (file, kind = "blob") => repository && `${repository}/${kind}/HEAD/${file}`;
 
   function target(page, address, line) {
     const wrong = (text) => (page.problem(line, text), address);
@@ -51,6 +55,7 @@ export function readBook(root, live = new Map(), idle = {}) {
       return (name ? relative(page.address, addressOf(file)) : "") + (anchor ? `#${encodeURIComponent(anchor)}` : "");
     }
     if (anchor) return wrong(`the link to ${address}: an anchor in what is no page`);
+    if (elsewhere.test(file) && !copied.test(file)) return inRepository(file, there.isDirectory() ? "tree" : "blob");
     if (there.isDirectory()) {
       const within = fs.readdirSync(path.join(root, file)).filter((one) => /\.(h|cpp)$/.test(one));
       folders.set(file, within);
@@ -76,7 +81,8 @@ export function readBook(root, live = new Map(), idle = {}) {
 
   function quoted(page, code) {
     return placesOf(code, page.file, quotes).map(({ file, line }) => {
-      show(file, page);
+      if (elsewhere.test(file)) return { file, line, href: repository && `${inRepository(file)}#L${line}` };
+      show(file, page, line);
       return { file, line, href: `${relative(page.address, `${file}.html`)}#L${line}` };
     });
   }
@@ -89,7 +95,7 @@ export function readBook(root, live = new Map(), idle = {}) {
     page.live = page.engine && page.experiment;
   }
   for (const page of pages) {
-    page.text = fs.readFileSync(path.join(root, page.file), "utf8");
+    page.text = inBook(fs.readFileSync(path.join(root, page.file), "utf8"));
     page.title ??= /^# (.*)$/m.exec(page.text)?.[1] ?? page.file;
     page.challenged = challenged;
     page.played = pages.find((one) => one.live === "hard_cases");
@@ -112,12 +118,23 @@ export function readBook(root, live = new Map(), idle = {}) {
 
   return {
     pages,
-    sources: [...shown].map(([file, readIn]) => ({ file, address: `${file}.html`, readIn: [...readIn] })),
+    sources: [...shown].map(([file, { readIn, lines }]) => ({
+      ...{ file, lines },
+      address: `${file}.html`,
+      readIn: [...readIn],
+    })),
     folders: [...folders].map(([file, names]) => ({ file, address: `${file}/index.html`, names })),
     files: [...files],
     pictures,
   };
 }
+
+/// Leaves out what a page says on GitHub only, between <!-- github --> and <!-- /github -->, and shows what it says in the book
+/// only, <!-- book: in a comment -->. The lines keep their numbers.
+const inBook = (text) =>
+  text
+    .replace(/<!-- github -->(.*?)<!-- \/github -->([^\n]*)/gs, (all, part, rest) => rest + part.replace(/./g, ""))
+    .replace(/<!-- book: (.*?) -->/gs, "$1");
 
 /// Of each chapter its challenges.
 function challengesOf(root, live, problems) {

@@ -33,7 +33,7 @@ for (const name of values.still ? [] : experimentsIn(programs))
   live.set(name, await engineOf(path.join(programs, `${name}.js`)));
 let book;
 try {
-  book = readBook(root, live, idle);
+  book = readBook(root, live, idle, site.repository);
 } catch (error) {
   console.error(error instanceof Problems ? error.message : error);
   process.exit(1);
@@ -79,7 +79,8 @@ function writeAssets() {
   for (const folder of ["style", "scripts"]) copy(path.join(home, "tools/book", folder), "assets");
   copy(path.join(packages, "minisearch/dist/umd/index.js"), "assets/minisearch.js");
   const words = book.pages.flatMap(({ title: page, address, sections }) =>
-    sections.map(({ id, title, text }) => ({
+    sections.map(({ id, title, text, keywords }) => ({
+      keywords,
       address: id ? `${address}#${encodeURIComponent(id)}` : address,
       title: title || page,
       page,
@@ -100,7 +101,7 @@ function writeAssets() {
     const all = ["wght.css", "wght-italic.css"]
       .map((name) => fs.readFileSync(path.join(folder, name), "utf8"))
       .join("");
-    return all.match(/@font-face {[^}]*-(latin|latin-ext|greek)-wght[^}]*}/g).map((face) => {
+    return all.match(/@font-face {[^}]*-(latin|greek)-wght[^}]*}/g).map((face) => {
       const [, name] = /files\/([^)]*woff2)/.exec(face);
       copy(path.join(folder, "files", name), `assets/fonts/${name}`);
       return face.replace("./files/", "fonts/");

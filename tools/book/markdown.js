@@ -33,7 +33,7 @@ function readPage({ tokens, env: page }) {
   tokens.forEach((token, i) => {
     if (token.map) line = token.map[0] + 1;
     if (token.type === "fence" && token.info.trim() === "math") token.type = "math_block";
-    if (token.type === "html_block") token.content = withLinks(token.content, page, line);
+    if (token.type === "html_block") token.content = withLinks(readKeywords(token.content, page), page, line);
     else if (token.type === "fence") readCode(token, page);
     else if (math.includes(token.type)) token.meta = formula(token.content, true, page, line);
     else if (token.type === "inline") {
@@ -49,6 +49,11 @@ function readPage({ tokens, env: page }) {
   smallPictures(tokens, page);
   settingSentences(tokens, page);
   challengeLinks(tokens, page);
+}
+
+/// `<!-- search: jitter, flicker -->`: words by which a reader looks for the page, and which it does not need to say.
+function readKeywords(html, page) {
+  return html.replace(/<!-- search: (.*?) -->/s, (all, words) => ((page.sections[0].keywords = words), ""));
 }
 
 function readHeading(token, text, page, slugger) {
@@ -88,7 +93,7 @@ function readInline(token, page, line) {
     if (child.type === "text" && child.content.includes("$"))
       page.problem(line, `a dollar sign that belongs to no formula: ${child.content.trim().slice(0, 60)}`);
     if (child.type === "code_inline" && child.content.length <= 24) child.attrSet("class", "short");
-    if (child.type === "link_open") child.attrSet("href", page.target(child.attrGet("href"), line));
+    if (child.type === "link_open") lead(child, page.target(child.attrGet("href"), line));
     if (child.type === "html_inline") child.content = withLinks(child.content, page, line);
     if (child.type === "image") readImage(child, page, line);
     if (math.includes(child.type)) child.meta = formula(child.content, child.type !== "math_inline", page, line);
@@ -107,12 +112,18 @@ function readImage(token, page, line) {
     if (value) token.attrSet(name, value);
 }
 
+/// What only the repository has is named, and linked if the address of the repository is known.
+function lead(link, href) {
+  if (href) link.attrSet("href", href);
+  else link.attrs = [["title", link.attrGet("href").replace(/^(\.\.\/)+/, "")]];
+}
+
 function withLinks(html, page, line) {
   const lineAt = (at) => line + (html.slice(0, at).match(/\n/g) ?? []).length;
-  return html.replace(
-    /(<a\s[^>]*href=")([^"]*)"/g,
-    (all, before, address, at) => `${before}${page.target(address, lineAt(at))}"`,
-  );
+  return html.replace(/(?<=<a\s[^>]*)href="([^"]*)"/g, (all, address, at) => {
+    const href = page.target(address, lineAt(at));
+    return href ? `href="${href}"` : `title="${address}"`;
+  });
 }
 
 const rendered = new Map();
@@ -125,8 +136,9 @@ function formula(tex, displayMode, page, line) {
     const strict = (code) => (code === "unicodeTextInMathMode" ? "ignore" : "error");
     const html = katex
       .renderToString(tex.trim(), { displayMode, strict })
-      .replace(' xmlns="http://www.w3.org/1998/Math/MathML"', ""); // which HTML knows
-    const [, spoken] = /<semantics>(.*)<annotation/s.exec(html);
+      .replace(' xmlns="http://www.w3.org/1998/Math/MathML"', "") // which HTML knows
+      .replace(/<annotation.*<\/annotation>/s, ""); // the source of the formula, which no browser shows
+    const [, spoken] = /<semantics>(.*)<\/semantics>/s.exec(html);
     const made = {
       html: displayMode ? `<div class="formula">${html}</div>` : html,
       text: spoken.replace(/<[^>]*>/g, ""),
@@ -147,7 +159,8 @@ function readCode(token, page) {
 function codeBlock({ content, meta }) {
   const { language = "", places = [] } = meta ?? {};
   const from = places.map(
-    ({ href, file, line }) => `<a href="${href}" title="${file}, line ${line}">${file.replace(/.*\//, "")}</a>`,
+    ({ href, file, line }) =>
+      `<a${href ? ` href="${href}"` : ""} title="${file}, line ${line}">${file.replace(/.*\//, "")}</a>`,
   );
   const caption = from.length ? `<figcaption>${from.join(", ")}</figcaption>` : "";
   const code = highlighted(content.replace(/\n$/, ""), language);

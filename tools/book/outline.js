@@ -2,28 +2,15 @@
 import fs from "node:fs";
 import path from "node:path";
 
-/// The pages of docs/ in the order of the course; one that is not named here comes last.
-const further = [
-  "symptoms",
-  "challenges",
-  "which_solver",
-  "your_own_scene",
-  "bodies_and_queries",
-  "notation",
-  "hard_cases",
-  "accuracy_and_time",
-  "benchmark",
-  "methods",
-  "speed",
-  "soak_and_fuzz",
-  "engine",
-  "architecture",
-  "machinery",
-  "teaching",
-  "a_solver_of_your_own",
-  "commands",
-  "other_systems",
-];
+/// The pages of docs/ by what a reader does with them, in the order of the course; one that is not named here comes last.
+const further = {
+  "Use it": ["symptoms", "which_solver", "your_own_scene", "bodies_and_queries", "commands", "challenges"],
+  Measure: ["hard_cases", "accuracy_and_time", "speed", "benchmark", "soak_and_fuzz"],
+  Understand: ["notation", "engine", "methods"],
+  Teach: ["teaching", "a_solver_of_your_own"],
+  "Change it": ["architecture", "machinery"],
+};
+const start = ["before_you_start", "other_systems"];
 
 /// A page of Markdown becomes a page of the same folder, so that what it names beside itself is beside it in the book, too.
 export function addressOf(file) {
@@ -36,34 +23,50 @@ export function relative(from, to) {
   return path.posix.relative(path.posix.dirname(from), to);
 }
 
+/// The trunk of the course, which README.md lists: of each of its pages {file, name, branches}, the branches as files.
+function trunkOf(text) {
+  const rows = [...text.matchAll(/^\| \d+ \| \[(\d\d)[^\]]*\]\(([^)]+)\) \| \d+ \|(.*)\|$/gm)];
+  return rows.map(([, name, file, rest]) => ({
+    ...{ file, name },
+    branches: [...rest.matchAll(/\]\(([^)]+)\)/g)].map(([, branch]) => branch),
+  }));
+}
+
 /// [{file, part, chapter, parent, experiment}]: the pages that are read one after the other, and behind each chapter's its exercises
-/// (`parent`). A chapter's README.md comes before its other pages. `experiment`: what can be run on the page, where it is compiled for the browser.
+/// (`parent`). A chapter's README.md comes before its other pages. `part`: under which heading the contents have it; `experiment`:
+/// what can be run on the page, where it is compiled for the browser.
 export function outline(root) {
   const has = (file) => fs.existsSync(path.join(root, file));
   const names = (folder) => (has(folder) ? fs.readdirSync(path.join(root, folder)).sort() : []);
-  const place = (name) => (further.includes(name) ? further.indexOf(name) : further.length);
+  const pagesIn = (folder) => names(folder).filter((name) => name.endsWith(".md"));
   const pages = [];
   const add = (part, file, more) => has(file) && pages.push({ file, part, ...more });
+  const trunk = trunkOf(has("README.md") ? fs.readFileSync(path.join(root, "README.md"), "utf8") : "");
+  const addOfChapter = (chapter, page) => {
+    const file = `chapters/${chapter}/${page}`;
+    const from = trunk.find(({ branches }) => branches.includes(file));
+    const alone = trunk.some((page) => page.file === file) ? "The trunk" : "Chapters";
+    add(from ? `Branches of ${from.name}` : alone, file, { chapter, experiment: chapter });
+  };
 
   add("Start", "README.md", { experiment: "07_warm_start" }); // what its film shows
-  add("Start", "docs/before_you_start.md");
-  for (const page of names("docs/from_an_empty_file").filter((name) => name.endsWith(".md")))
-    add("Start", `docs/from_an_empty_file/${page}`);
+  for (const name of start) add("Start", `docs/${name}.md`);
+  for (const page of pagesIn("docs/from_an_empty_file")) add("Start", `docs/from_an_empty_file/${page}`);
   for (const chapter of names("chapters").filter((name) => /^\d\d_/.test(name))) {
     const parent = `chapters/${chapter}/README.md`;
-    add("Chapters", parent, { chapter, experiment: chapter });
-    for (const page of names(`chapters/${chapter}`).filter((name) => name.endsWith(".md") && name !== "README.md"))
-      add("Chapters", `chapters/${chapter}/${page}`, { chapter, experiment: chapter });
+    addOfChapter(chapter, "README.md");
+    for (const page of pagesIn(`chapters/${chapter}`).filter((name) => name !== "README.md"))
+      addOfChapter(chapter, page);
     add("Exercises", `chapters/${chapter}/exercise/task.md`, { parent });
     add("Exercises", `chapters/${chapter}/exercise/transfer/task.md`, { parent });
   }
-  const docs = names("docs")
-    .filter((name) => name.endsWith(".md") && name !== "before_you_start.md")
-    .map((name) => name.slice(0, -3));
-  for (const name of docs.sort((a, b) => place(a) - place(b))) add("Further", `docs/${name}.md`, { experiment: name });
-  add("Further", "CONTRIBUTING.md");
-  add("Further", "CHANGELOG.md");
-  for (const page of names("docs/results").filter((name) => name.endsWith(".md"))) {
+  for (const [part, docs] of Object.entries(further))
+    for (const name of docs) add(part, `docs/${name}.md`, { experiment: name });
+  for (const page of pagesIn("docs"))
+    if (!pages.some(({ file }) => file === `docs/${page}`)) add("Change it", `docs/${page}`);
+  add("Change it", "CONTRIBUTING.md");
+  add("Change it", "CHANGELOG.md");
+  for (const page of pagesIn("docs/results")) {
     const file = `docs/results/${page}`;
     const above = /\]\(\.\.\/(\w+\.md)/.exec(fs.readFileSync(path.join(root, file), "utf8"))[1]; // its first link
     add("Tables", file, { parent: `docs/${above}` });

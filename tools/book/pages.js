@@ -3,14 +3,14 @@ import path from "node:path";
 import { relative, toRoot } from "./outline.js";
 import { escaped, sourceHtml } from "./sources.js";
 
-/// All pages of the book with their neighbours, the gallery behind the chapters, sources and folders of sources.
+/// All pages of the book with their neighbours, the gallery, sources and folders of sources.
 export function pagesOf(book, root) {
   const pages = book.pages.map((page) => described(page, book));
-  pages.splice(pages.findLastIndex(({ part }) => ["Chapters", "Exercises"].includes(part)) + 1, 0, gallery(book));
+  pages.push(gallery(book));
   const read = pages.filter((page) => !page.parent);
-  const course = ["Start", "Chapters", "Further"].map((name) => ({
+  const course = [...new Set(read.map(({ part }) => part))].map((name) => ({
     name,
-    pages: pages.filter((page) => page.part === name),
+    pages: read.filter(({ part }) => part === name),
   }));
   for (const page of pages) {
     const at = read.indexOf(page);
@@ -94,7 +94,14 @@ function gallery({ pictures }) {
     return `<h2 id="${id}">${text}</h2>\n<ul class="gallery ${id}">\n${cards.join("\n")}\n</ul>`;
   });
   return {
-    ...{ file: "gallery.html", address: "gallery.html", part: "Further", title: "Gallery", name: "Gallery", root: "." },
+    ...{
+      file: "gallery.html",
+      address: "gallery.html",
+      part: "Understand",
+      title: "Gallery",
+      name: "Gallery",
+      root: ".",
+    },
     contents: parts,
     html: `<p>Every sheet, plot and figure of the book. Each leads to the place where it is explained.</p>\n${html.join("\n")}`,
   };
@@ -115,7 +122,7 @@ function sourcePages(book, root, pages) {
   };
   const files = book.sources.map((source) => {
     const link = (included) => shown.has(included) && relative(source.address, shown.get(included).address);
-    return { ...common(source), html: sourceHtml(root, source.file, link) };
+    return { ...common(source), html: sourceHtml(root, source.file, link, source.lines) };
   });
   const folders = book.folders.map((folder) => {
     const items = folder.names.map((name) => `<li><a href="${name}.html">${name}</a></li>`);

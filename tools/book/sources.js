@@ -22,8 +22,8 @@ function languageOf(file) {
   return ending === "h" ? "cpp" : ending === "mjs" ? "js" : ending || "bash";
 }
 
-/// A whole source as HTML; `link(file)` is where an included file is shown, if it is.
-export function sourceHtml(root, file, link) {
+/// A whole source as HTML; `link(file)` is where an included file is shown, if it is; `anchored`: the lines that pages lead to.
+export function sourceHtml(root, file, link, anchored = new Set()) {
   const html = highlighted(fs.readFileSync(path.join(root, file), "utf8").trimEnd(), languageOf(file));
   const lines = html.split("\n").map((line, i) => {
     const linked = line.replace(
@@ -33,7 +33,7 @@ export function sourceHtml(root, file, link) {
         return target ? `${before}<a href="${target}">${name}</a>` : all;
       },
     );
-    return `<b id=L${i + 1}></b>${linked}`;
+    return `<b${anchored.has(i + 1) ? ` id=L${i + 1}` : ""}></b>${linked}`;
   });
   return `<pre class="numbered"><code>${lines.join("\n")}</code></pre>`;
 }

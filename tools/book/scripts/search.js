@@ -29,11 +29,11 @@
   const load = () =>
     (index ??= Promise.all([script("minisearch.js"), script("search_index.js")]).then(() => {
       const search = new MiniSearch({
-        fields: ["title", "page", "text"],
+        fields: ["title", "page", "keywords", "text"],
         storeFields: ["address", "title", "page", "text"],
         processTerm: stem,
         searchOptions: {
-          boost: { title: 4, page: 2 },
+          boost: { title: 4, page: 2, keywords: 12 },
           prefix: (term) => term.length > 1,
           fuzzy: (term) => (term.length > 4 ? 0.2 : false),
           combineWith: "AND",
