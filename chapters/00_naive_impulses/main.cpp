@@ -79,9 +79,9 @@ int main(int argc, char** argv) {
   Experiment e("00_naive_impulses", "What if every contact simply gets its impulse?");
   SpinningHit hit;
   e.parameter({"--speed", "v", "m/s", "Speed of the ball that hits the bar", 0.5, 20}, &hit.speed);
-  e.parameter({"--mass-ratio", "m₁/m₂", "", "Mass of that ball, in masses of the bar", 0.01, 100}, &hit.mass_ratio);
+  e.parameter({"--mass-ratio", "m₁/m₂", "", "Mass of the ball relative to the bar", 0.01, 100}, &hit.mass_ratio);
   int boxes = 5;
-  e.parameter({"--boxes", "n", "", "Boxes of the stack", 2, 10}, &boxes);
+  e.parameter({"--boxes", "n", "", "Boxes in the stack", 2, 10}, &boxes);
   return e.run(argc, argv, [&] {
     const Real tall = static_cast<Real>(boxes);
     e.scene({.name = fmt::format("a stack of {}", spelled(boxes)),

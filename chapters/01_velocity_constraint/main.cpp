@@ -75,9 +75,9 @@ Real largest_error(const Run& run) {
 int main(int argc, char** argv) {
   Experiment e("01_velocity_constraint", "What does the velocity constraint J V = 0 do on its own?");
   DroppedBox dropped;
-  e.parameter({"--drop", "", "m", "How far above the slab the box is let go", 0.1, 2}, &dropped.drop);
+  e.parameter({"--drop", "", "m", "Drop height above the slab", 0.1, 2}, &dropped.drop);
   LeavingBox leaving;
-  e.parameter({"--speed", "v", "m/s", "Speed of the box that is thrown upwards", 0.5, 7}, &leaving.speed);
+  e.parameter({"--speed", "v", "m/s", "Speed of the box thrown upwards", 0.5, 7}, &leaving.speed);
   CubeOnSlope cube;
   e.parameter({"--slope", "θ", "rad", "Angle of the slope", 0, 0.6}, &cube.angle);
   return e.run(argc, argv, [&] {

@@ -65,9 +65,9 @@ Curve error_after_sweeps(const LandingColumn& landing, const std::string& label,
 int main(int argc, char** argv) {
   Experiment e("02_clamping", "A contact must not pull. Which quantity must not become negative?");
   LandingColumn landing;
-  e.parameter({"--fall", "", "m", "How far the column falls before it lands", 0.05, 1}, &landing.fall);
+  e.parameter({"--fall", "", "m", "Drop height of the column", 0.05, 1}, &landing.fall);
   StackedColumns columns;
-  e.parameter({"--columns", "n", "", "Columns on each other", 2, 6}, &columns.count);
+  e.parameter({"--columns", "n", "", "Columns in the stack", 2, 6}, &columns.count);
   return e.run(argc, argv, [&] {
     const auto three_ways = [&](int sweeps) {
       e.variant("no limits", Solver<>{}).with_sweeps(sweeps).without_curves();  // those of the last

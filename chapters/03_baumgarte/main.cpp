@@ -51,9 +51,7 @@ int main(int argc, char** argv) {
   e.parameter({"--beta", "β", "", "Baumgarte factors to put side by side", 0, 2}, &betas);
   SunkenBox sunken;
   e.parameter({"--depth", "d₀", "m", "Overlap at the start", 0.001, 0.2}, &sunken.depth);
-  e.parameter(
-      {"--unstable", "", "m/s", "Jitter of a stack of three above which the tuning rule calls it unstable", 0.001, 10},
-      &unstable);
+  e.parameter({"--unstable", "", "m/s", "Jitter above which a stack counts as unstable", 0.001, 10}, &unstable);
   return e.run(argc, argv, [&] {
     const Real h = e.dt(), d0 = sunken.depth;
     const SunkenBox weightless{d0, true};

@@ -91,9 +91,9 @@ int main(int argc, char** argv) {
   std::vector<Real> slops{0, Real(0.005), Real(0.02)};
   e.parameter({"--slop", "slop", "m", "Overlaps to leave alone", 0, 0.1}, &slops);
   Real beta = Baumgarte{}.beta;
-  e.parameter({"--beta", "β", "", "Fraction of the overlap beyond the slop that one step removes", 0, 1}, &beta);
+  e.parameter({"--beta", "β", "", "Fraction of the excess overlap removed per step", 0, 1}, &beta);
   SmallPile pile;
-  e.parameter({"--depth", "", "m", "Overlap of each box with its support at the start", 0, 0.05}, &pile.depth);
+  e.parameter({"--depth", "", "m", "Overlap of each box at the start", 0, 0.05}, &pile.depth);
   return e.run(argc, argv, [&] {
     e.scene({.name = "three boxes at rest",
              .fill = pile,

@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
   e.parameter({"--threshold", "", "m/s", "Speed of approach below which nothing bounces", 0, 10}, &threshold);
   FallingBalls balls;
   e.parameter({"--bounciness", "e", "", "Restitution of the dropped balls, one value each", 0, 1}, &balls.bounciness);
-  e.parameter({"--drop", "h₀", "m", "How far these balls fall", 0.1, 2}, &balls.drop);
+  e.parameter({"--drop", "h₀", "m", "Drop height of the balls", 0.1, 2}, &balls.drop);
   return e.run(argc, argv, [&] {
     Solver<Clamping, Baumgarte, Restitution> larger;
     larger.threshold = threshold;

@@ -78,10 +78,10 @@ void mark_hand(Picture& picture, const World& world) {
 int main(int argc, char** argv) {
   Experiment e("06_friction", "What holds a box on a slope, and what stops it?");
   BoxesOnSlope slope;
-  e.parameter({"--slope", "θ", "rad", "Angle of the slope; μ of its boxes follows", 0.05, 0.9}, &slope.theta);
+  e.parameter({"--slope", "θ", "rad", "Angle of the slope, which sets μ", 0.05, 0.9}, &slope.theta);
   Push push;
-  e.parameter({"--mu", "μ", "", "Friction of the boxes on level ground, and of the ball", 0.3, 1.5}, &push.mu);
-  e.parameter({"--speed", "v₀", "m/s", "Speed of these boxes and of the ball at the start", 1, 8}, &push.v0);
+  e.parameter({"--mu", "μ", "", "Friction on level ground", 0.3, 1.5}, &push.mu);
+  e.parameter({"--speed", "v₀", "m/s", "Initial speed on level ground", 1, 8}, &push.v0);
   return e.run(argc, argv, [&] {
     const Real h = e.dt();
     constexpr Real seconds = Real(1.5);

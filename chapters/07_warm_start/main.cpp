@@ -120,14 +120,12 @@ int main(int argc, char** argv) {
   std::vector<int> sweep_counts{1, 2, 3, 5, 8, 10, 15, 20, 30, 50, 80, 120, 200, 400, 800};
   e.parameter({"--sweep-counts", "", "", "Numbers of sweeps for the diagrams", 1, 10000}, &sweep_counts);
   WrongIds wrong_ids;
-  e.parameter({"--wrong-ids", "", "",
-               "Offset in the list of contacts from which a contact takes its impulse; 0: its own", 0, 100},
-              &wrong_ids.places);
+  e.parameter({"--wrong-ids", "", "", "Shift of stored impulses in the contact list", 0, 100}, &wrong_ids.places);
   int boxes = 10, base = 10;
-  e.parameter({"--boxes", "n", "", "Boxes of the stacks", 1, 20}, &boxes);
+  e.parameter({"--boxes", "n", "", "Boxes in each stack", 1, 20}, &boxes);
   e.parameter({"--base", "", "", "Boxes in the lowest row of the pyramid", 1, 15}, &base);
   Real depth = Real(0.005);
-  e.parameter({"--depth", "", "m", "Overlap of the boxes of the last stack at the start", 0, 0.05}, &depth);
+  e.parameter({"--depth", "", "m", "Initial overlap in the last stack", 0, 0.05}, &depth);
   return e.run(argc, argv, [&] {
     const auto scene = [&e](Scene told) {
       told.seconds = 60;

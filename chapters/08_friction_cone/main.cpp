@@ -122,8 +122,7 @@ Real mean(const Run& run, const std::string& series, Real until) {
 int main(int argc, char** argv) {
   Experiment e("08_friction_cone", "Does friction know north from east?");
   Real half_length = longest_half;
-  e.parameter({"--half-length", "", "m", "Half a plank's length; its half width is 0.1", 0.05,
-               static_cast<double>(longest_half)},
+  e.parameter({"--half-length", "", "m", "Half the length of a plank", 0.05, static_cast<double>(longest_half)},
               &half_length);
   Push push;
   e.parameter({"--mu", "μ", "", "Friction between planks and ground", 0.25, 0.65}, &push.mu);

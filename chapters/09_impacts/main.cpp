@@ -22,9 +22,9 @@ int main(int argc, char** argv) {
   Real bounciness = Real(0.5);
   FallingBalls ball;
   e.parameter({"--bounciness", "e", "", "Restitution of the ball that is dropped", 0, 1}, &bounciness);
-  e.parameter({"--drop", "h₀", "m", "How far this ball falls", 0.1, 2}, &ball.drop);
+  e.parameter({"--drop", "h₀", "m", "Drop height of the ball", 0.1, 2}, &ball.drop);
   Real gap = Real(0.08);
-  e.parameter({"--gap", "", "m", "Gap between the five balls that do not touch", 0.08, 0.5}, &gap);
+  e.parameter({"--gap", "", "m", "Gap between the separated balls", 0.08, 0.5}, &gap);
   return e.run(argc, argv, [&] {
     const auto with_threshold = [threshold](auto solver) {
       solver.threshold = threshold;

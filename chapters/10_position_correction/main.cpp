@@ -243,18 +243,15 @@ int main(int argc, char** argv) {
   Experiment e("10_position_correction", "Can an overlap be undone without a velocity?");
   Ways by;
   Real beta = by.baumgarte.beta, most = by.split.most;
-  e.parameter(
-      {"--beta", "β", "", "Fraction of an overlap that one step removes; for non-linear Gauss-Seidel, one round", 0, 1},
-      &beta);
-  e.parameter({"--most", "", "m", "Largest correction of a contact in one step; Baumgarte has no such bound", 0, 1},
-              &most);
+  e.parameter({"--beta", "β", "", "Overlap fraction removed per step, or per round", 0, 1}, &beta);
+  e.parameter({"--most", "", "m", "Largest correction of a contact per step", 0, 1}, &most);
   e.parameter({"--rounds", "", "", "Rounds of non-linear Gauss-Seidel", 0, 100}, &by.ngs.rounds);
   Real depth = very_deep;
-  e.parameter({"--depth", "", "m", "How deep the box is in the ground", 0.01, 0.4}, &depth);
+  e.parameter({"--depth", "", "m", "Initial depth of the box", 0.01, 0.4}, &depth);
   int boxes = 10;
-  e.parameter({"--boxes", "n", "", "Boxes of the stack", 1, 20}, &boxes);
+  e.parameter({"--boxes", "n", "", "Boxes in the stack", 1, 20}, &boxes);
   WeightlessBall ball;
-  e.parameter({"--ball-depth", "d₀", "m", "How deep the ball is in the ground", 0.001, 0.2}, &ball.depth);
+  e.parameter({"--ball-depth", "d₀", "m", "Initial depth of the ball", 0.001, 0.2}, &ball.depth);
   return e.run(argc, argv, [&] {
     by.baumgarte.beta = by.split.beta = by.ngs.beta = beta;
     by.split.most = by.ngs.most = most;

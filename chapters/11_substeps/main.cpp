@@ -8,13 +8,11 @@ using namespace pushback::substeps_scenes;
 int main(int argc, char** argv) {
   Experiment e("11_substeps", "Many sweeps, or many substeps?");
   int count = 32;
-  e.parameter({"--substeps", "", "", "Substeps in each step, and sweeps in steps that are not divided", 1, 128},
-              &count);
+  e.parameter({"--substeps", "", "", "Substeps, or sweeps of an undivided step", 1, 128}, &count);
   int tall = 20;
-  e.parameter({"--boxes", "n", "", "Boxes of the stack", 2, 25}, &tall);
+  e.parameter({"--boxes", "n", "", "Boxes in the stack", 2, 25}, &tall);
   HeavyOnLight heavy;
-  e.parameter({"--mass-ratio", "", "", "Mass of the upper box, in masses of the one below", 1, 2000},
-              &heavy.mass_ratio);
+  e.parameter({"--mass-ratio", "", "", "Mass ratio of the upper and lower box", 1, 2000}, &heavy.mass_ratio);
   return e.run(argc, argv, [&] {
     const auto sweeping = [&](int sweeps) -> Variant& {
       return e.variant(fmt::format("one step, {} sweeps", sweeps), FullSolver{}).with_exactly(sweeps);

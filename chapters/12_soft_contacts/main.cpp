@@ -94,19 +94,15 @@ int main(int argc, char** argv) {
   Experiment e("12_soft_contacts", "What if a contact is a spring with a damper?");
   int count = 32;
   SoftContacts spring;
-  e.parameter({"--substeps", "", "", "Substeps in each step", 1, 128}, &count);
-  e.parameter({"--hertz", "", "Hz",
-               "Frequency of the soft contacts' springs; an eighth of the substeps' frequency at most", 30, 2000},
-              &spring.hertz);
-  e.parameter({"--damping-ratio", "ζ", "", "Damping ratio of the soft contacts; 1: critical", 0, 20},
-              &spring.damping_ratio);
+  e.parameter({"--substeps", "", "", "Substeps per step", 1, 128}, &count);
+  e.parameter({"--hertz", "", "Hz", "Frequency of the contact springs", 30, 2000}, &spring.hertz);
+  e.parameter({"--damping-ratio", "ζ", "", "Damping ratio of the soft contacts", 0, 20}, &spring.damping_ratio);
   int tall = 20;
-  e.parameter({"--boxes", "n", "", "Boxes of the first stack; the second has twice as many", 2, 25}, &tall);
+  e.parameter({"--boxes", "n", "", "Boxes in the smaller stack", 2, 25}, &tall);
   HeavyOnLight heavy;
-  e.parameter({"--mass-ratio", "", "", "Mass of the upper box, in masses of the one below", 1, 2000},
-              &heavy.mass_ratio);
+  e.parameter({"--mass-ratio", "", "", "Mass ratio of the upper and lower box", 1, 2000}, &heavy.mass_ratio);
   SunkenBall sunken;
-  e.parameter({"--depth", "", "m", "How deep the ball is in the ground", 0.005, 0.2}, &sunken.depth);
+  e.parameter({"--depth", "", "m", "Initial depth of the ball", 0.005, 0.2}, &sunken.depth);
   return e.run(argc, argv, [&] {
     const Real h = e.dt() / static_cast<Real>(count), w = spring.angular_frequency(h);
     const auto hard = [&]() -> Variant& {

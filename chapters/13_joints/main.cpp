@@ -29,9 +29,9 @@ Real energy_at_first(const std::function<void(World&)>& fill) {
 int main(int argc, char** argv) {
   Experiment e("13_joints", "How do rows hold a bead on its wire, a door on its hinge?");
   Real beta = Real(0.2);
-  e.parameter({"--beta", "β", "", "Fraction of a joint's error that a step of --dt removes", 0, 1}, &beta);
+  e.parameter({"--beta", "β", "", "Fraction of a joint's error removed per step", 0, 1}, &beta);
   Pendulums pendulums;
-  e.parameter({"--release", "θ₀", "rad", "Angle at which the pendulums are released; 0: hanging down", 0.1, 2.2},
+  e.parameter({"--release", "θ₀", "rad", "Release angle of the pendulums, from hanging down", 0.1, 2.2},
               &pendulums.released_at);
   return e.run(argc, argv, [&] {
     const std::string fed_back = fmt::format("β = {:.3g}", beta);

@@ -38,14 +38,14 @@ Real off_the_catenary(const World& world) {
 int main(int argc, char** argv) {
   Experiment e("14_joints_under_load", "Which part of a joint's impulse may the next step start from?");
   Real beta = Real(0.2);
-  e.parameter({"--beta", "β", "", "Fraction of a joint's error that a step of --dt removes", 0, 1}, &beta);
+  e.parameter({"--beta", "β", "", "Fraction of a joint's error removed per step", 0, 1}, &beta);
   int substeps = 10;
-  e.parameter({"--substeps", "", "", "Substeps in each step, for the variants with substeps", 2, 32}, &substeps);
+  e.parameter({"--substeps", "", "", "Substeps per step, in variants with substeps", 2, 32}, &substeps);
   ChainWithWeight chain;
-  e.parameter({"--links", "", "", "Links of the chain with the weight", 1, 20}, &chain.links);
-  e.parameter({"--mass-ratio", "", "", "Mass of that weight, in masses of a link", 1, 1000}, &chain.mass_ratio);
+  e.parameter({"--links", "", "", "Links of the loaded chain", 1, 20}, &chain.links);
+  e.parameter({"--mass-ratio", "", "", "Mass of the weight, in link masses", 1, 1000}, &chain.mass_ratio);
   std::vector<int> sweep_counts{1, 2, 5, 10, 20, 50, 100, 200, 500, 1000};
-  e.parameter({"--sweep-counts", "", "", "Numbers of sweeps for the diagram of the chain", 1, 10000}, &sweep_counts);
+  e.parameter({"--sweep-counts", "", "", "Numbers of sweeps for the diagram", 1, 10000}, &sweep_counts);
   return e.run(argc, argv, [&] {
     const auto in_tens = [&]() -> Variant& {
       return e

@@ -220,23 +220,20 @@ void study_of_steps(Experiment& e, const SpringsLetGo& springs, Real pump, Real 
 int main(int argc, char** argv) {
   Experiment e("15_limits_motors_springs", "How far may it turn, and who turns it?");
   Real torque = follow_torque;
-  e.parameter({"--torque", "", "N m", "Torque of the motor that is to follow sin t", 0, 1000}, &torque);
+  e.parameter({"--torque", "", "N m", "Torque limit of the motor following sin t", 0, 1000}, &torque);
   Real stop_at = bar_stop;
   e.parameter({"--stop", "", "°", "Angle of the bar's stop, from hanging down", -60, 60}, &stop_at);
   TwoWinches winches;
-  e.parameter({"--load", "m", "kg", "Mass of the heavy load, which its winch cannot hold", 2.1, 10},
-              &winches.heavy_load);
+  e.parameter({"--load", "m", "kg", "Mass of the heavy load", 2.1, 10}, &winches.heavy_load);
   TwoPulleys pulleys;
-  e.parameter({"--heavy", "", "kg", "Mass of the heavier load on each pulley; the other has 2 kg", 2.1, 4},
-              &pulleys.heavy);
+  e.parameter({"--heavy", "", "kg", "Mass of the heavier load on each pulley", 2.1, 4}, &pulleys.heavy);
   SpringsLetGo springs;
   e.parameter({"--hertz", "", "Hz", "Frequency of the springs", 0.2, 5}, &springs.hertz);
-  e.parameter({"--damping-ratio", "ζ", "", "Damping ratios of the springs, one each; 1: critical", 0, 20},
-              &springs.damping_ratios);
+  e.parameter({"--damping-ratio", "ζ", "", "Damping ratios of the springs, one each", 0, 20}, &springs.damping_ratios);
   Real incline_by = cart_slope;
-  e.parameter({"--slope", "", "°", "Angle of the slope that the cart is to climb", 8, 30}, &incline_by);
+  e.parameter({"--slope", "", "°", "Angle of the slope under the cart", 8, 30}, &incline_by);
   Real pump = Real(0.05);
-  e.parameter({"--pump", "ε", "", "Fraction by which the swing's rod is shortened and lengthened", 0, 0.08}, &pump);
+  e.parameter({"--pump", "ε", "", "Relative change of the swing's length", 0, 0.08}, &pump);
   return e.run(argc, argv, [&] {
     bar_with_a_stop(e, stop_at);
     pointers_that_follow(e, torque, e.dt());

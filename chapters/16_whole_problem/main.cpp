@@ -20,10 +20,9 @@ constexpr double small = 1e-2;  // a rule stops when its criterion falls below t
 int main(int argc, char** argv) {
   Experiment e("16_whole_problem", "Which problem do the iterations solve, and how much of it do they leave unsolved?");
   StackInGate gate;
-  e.parameter({"--boxes", "n", "", "Boxes of the stack", 1, 30}, &gate.boxes);
+  e.parameter({"--boxes", "n", "", "Boxes in the stack", 1, 30}, &gate.boxes);
   Real ratio = 1000;
-  e.parameter({"--mass-ratio", "", "", "Mass of a box on four others, as a multiple of the mass of one", 1, 10000},
-              &ratio);
+  e.parameter({"--mass-ratio", "", "", "Mass ratio of the upper and lower boxes", 1, 10000}, &ratio);
   return e.run(argc, argv, [&] {
     const std::string tall = "a stack of " + spelled(gate.boxes);
     const Fill stacked = [boxes = gate.boxes](World& world) { stack(world, boxes); };

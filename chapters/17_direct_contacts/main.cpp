@@ -17,7 +17,7 @@ using Direct = Solver<Clamping, Baumgarte, Slop, FrictionCone, DirectContacts>; 
 int main(int argc, char** argv) {
   Experiment e("17_direct_contacts", "Can all contacts of a step be solved at once, to rounding?");
   HeavyOnFour pile;
-  e.parameter({"--mass-ratio", "", "", "Mass of the upper box, in masses of one below", 1, 10000}, &pile.ratio);
+  e.parameter({"--mass-ratio", "", "", "Mass ratio of the upper and lower boxes", 1, 10000}, &pile.ratio);
   return e.run(argc, argv, [&] {
     const std::string heavy = spelled(pile.ratio) + " times heavier on four";
     e.scene({.name = heavy + ", every step from nothing",

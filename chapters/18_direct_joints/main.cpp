@@ -20,8 +20,8 @@ using Direct = Solver<DirectJoints>;  // this chapter
 int main(int argc, char** argv) {
   Experiment e("18_direct_joints", "What does a heavy chain cost, iterated or solved directly?");
   LoadedChain chain;
-  e.parameter({"--links", "", "", "Links of the chain with the load", 1, 40}, &chain.links);
-  e.parameter({"--mass-ratio", "", "", "Mass of the load, in masses of a link", 1, 10000}, &chain.load);
+  e.parameter({"--links", "", "", "Links of the loaded chain", 1, 40}, &chain.links);
+  e.parameter({"--mass-ratio", "", "", "Mass of the load, in link masses", 1, 10000}, &chain.load);
   return e.run(argc, argv, [&] {
     e.scene({.name = fmt::format("{} link{}, and {} times the mass of one", spelled(chain.links),
                                  chain.links == 1 ? "" : "s", spelled(chain.load)),

@@ -33,8 +33,8 @@ void mark(const TruePlaces& truth, Picture& picture, const World& world, Real ti
 int main(int argc, char** argv) {
   Experiment e("19_accuracy_and_time", "What does accuracy cost?");
   std::vector<int> steps_of_balls{1, 16, 256}, steps_of_chain{1, 4, 16};
-  e.parameter({"--ball-steps", "", "", "Numbers of substeps in each step, for the balls", 1, 1024}, &steps_of_balls);
-  e.parameter({"--chain-steps", "", "", "The same for the chain, with 16 sweeps in each step", 1, 16}, &steps_of_chain);
+  e.parameter({"--ball-steps", "", "", "Substeps per step for the balls", 1, 1024}, &steps_of_balls);
+  e.parameter({"--chain-steps", "", "", "Substeps per step for the chain", 1, 16}, &steps_of_chain);
   return e.run(argc, argv, [&] {
     constexpr Real least_drawn = Real(1e-3);  // mm
     const auto measure_error = [&](const TruePlaces& truth) {

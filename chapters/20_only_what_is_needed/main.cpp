@@ -50,12 +50,11 @@ Real mean(const Run& run, Value Sample::* what) {
 int main(int argc, char** argv) {
   Experiment e("20_only_what_is_needed", "What may a scene leave out?");
   Sleep sleep;
-  e.parameter({"--still-for", "s", "s", "How long a body keeps its place before it may sleep", 0.01, 10},
-              &sleep.time_to_sleep);
-  e.parameter({"--place", "p", "m", "How far its surface may stray in that time", 0.0001, 0.5}, &sleep.rest_distance);
+  e.parameter({"--still-for", "s", "s", "Time at rest before a body may sleep", 0.01, 10}, &sleep.time_to_sleep);
+  e.parameter({"--place", "p", "m", "Distance that a resting body may move", 0.0001, 0.5}, &sleep.rest_distance);
   FivePiles piles;
-  e.parameter({"--speed", "v", "m/s", "Speed of the ball that rolls towards the piles", 1, 15}, &piles.speed);
-  e.parameter({"--mass-ratio", "", "", "Mass of that ball, in masses of a box", 0.05, 50}, &piles.mass_ratio);
+  e.parameter({"--speed", "v", "m/s", "Speed of the rolling ball", 1, 15}, &piles.speed);
+  e.parameter({"--mass-ratio", "", "", "Mass of the ball, in box masses", 0.05, 50}, &piles.mass_ratio);
   return e.run(argc, argv, [&] {
     const Needed rested{.sleep = sleep};
     const auto measured = [&](const std::function<void(World&)>& fill) {

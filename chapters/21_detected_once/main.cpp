@@ -28,17 +28,16 @@ void add_first_row(Picture& picture, const RollingCube& cube, DetectedInEach in_
 int main(int argc, char** argv) {
   Experiment e("21_detected_once", "How often must contacts be detected?");
   DetectedOnce once;
-  e.parameter({"--substeps", "", "", "Substeps in each step", 1, 128}, &once.substeps);
+  e.parameter({"--substeps", "", "", "Substeps per step", 1, 128}, &once.substeps);
   e.parameter({"--margin", "", "m", "Gap up to which bodies count as touching", 0, 0.2}, &once.margin);
   RollingCube cube;
-  e.parameter({"--spin", "ω", "rad/s", "Spin of the cube that rolls", 0, 30}, &cube.spin);
+  e.parameter({"--spin", "ω", "rad/s", "Spin of the rolling cube", 0, 30}, &cube.spin);
   FallingBall ball;
-  e.parameter({"--speed", "v", "m/s", "Speed at which the ball arrives", 0.5, 30}, &ball.speed);
+  e.parameter({"--speed", "v", "m/s", "Speed of the arriving ball", 0.5, 30}, &ball.speed);
   int tall = 40;
-  e.parameter({"--boxes", "n", "", "Boxes of the stack", 2, 40}, &tall);
+  e.parameter({"--boxes", "n", "", "Boxes in the stack", 2, 40}, &tall);
   HeavyOnLight heavy;
-  e.parameter({"--mass-ratio", "", "", "Mass of the upper box, in masses of the one below", 1, 2000},
-              &heavy.mass_ratio);
+  e.parameter({"--mass-ratio", "", "", "Mass ratio of the upper and lower box", 1, 2000}, &heavy.mass_ratio);
   return e.run(argc, argv, [&] {
     DetectedInEach in_each;
     const auto each = [&] {

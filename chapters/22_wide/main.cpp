@@ -49,16 +49,15 @@ void number_sets(Experiment& e) {
 int main(int argc, char** argv) {
   Experiment e("22_wide", "What can be solved side by side?");
   int substeps = DetectedOnce{}.substeps;
-  e.parameter({"--substeps", "", "", "Substeps in each step", 1, 128}, &substeps);
+  e.parameter({"--substeps", "", "", "Substeps per step", 1, 128}, &substeps);
   int base = 10;
-  e.parameter({"--base", "n", "", "Boxes of the pyramid's lowest row", 1, 20}, &base);
+  e.parameter({"--base", "n", "", "Boxes in the pyramid's lowest row", 1, 20}, &base);
   int tall = 40;
-  e.parameter({"--boxes", "n", "", "Boxes of the stack", 2, 40}, &tall);
+  e.parameter({"--boxes", "n", "", "Boxes in the stack", 2, 40}, &tall);
   LoadedSlab slab;
   e.parameter({"--square", "n", "", "Boxes along each side of the slab", 1, 12}, &slab.boxes);
   HeavyOnLight heavy;
-  e.parameter({"--mass-ratio", "", "", "Mass of the upper box, in masses of the one below", 1, 2000},
-              &heavy.mass_ratio);
+  e.parameter({"--mass-ratio", "", "", "Mass ratio of the upper and lower box", 1, 2000}, &heavy.mass_ratio);
   return e.run(argc, argv, [&] {
     DetectedOnce once;
     WideSolver<double> doubles;

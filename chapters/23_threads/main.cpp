@@ -107,9 +107,9 @@ Panel at_best_by_boxes(const std::vector<int>& threads) {
 int main(int argc, char** argv) {
   Experiment e("23_threads", "What do threads wait for?");
   int substeps = 8;
-  e.parameter({"--substeps", "", "", "Substeps in each step", 1, 128}, &substeps);
+  e.parameter({"--substeps", "", "", "Substeps per step", 1, 128}, &substeps);
   int base = 14;
-  e.parameter({"--base", "n", "", "Boxes of the pyramid's lowest row", 1, 20}, &base);
+  e.parameter({"--base", "n", "", "Boxes in the pyramid's lowest row", 1, 20}, &base);
   int threads = 4;
   e.parameter({"--threads", "T", "", "Number of threads in the picture", 1, 16}, &threads);
   return e.run(argc, argv, [&] {

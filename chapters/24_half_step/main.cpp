@@ -58,7 +58,7 @@ Curve curve(const std::string& label, std::size_t colour) {
 int main(int argc, char** argv) {
   Experiment e("24_half_step", "Why is x += h v wrong by h/2, and what does it cost to be right?");
   int substeps = 4;
-  e.parameter({"--substeps", "", "", "Substeps in each step, of the top and of the chain", 1, 64}, &substeps);
+  e.parameter({"--substeps", "", "", "Substeps per step for the top and chain", 1, 64}, &substeps);
   return e.run(argc, argv, [&] {
     constexpr Real least_drawn = Real(1e-4);  // mm
     const auto measure_error = [&](const std::function<Real(const World&)>& error, bool drawn) {

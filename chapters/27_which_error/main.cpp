@@ -48,9 +48,7 @@ Played play(const Motion& motion, const TruePlaces& truth, Real error) {
 int main(int argc, char** argv) {
   Experiment e("27_which_error", "Which error do you want?");
   Real asked = 1;  // mm
-  e.parameter({"--error", "error", "mm", "Allowed position error after a second, in the second row of the yard",
-               Real(0.001), 1000},
-              &asked);
+  e.parameter({"--error", "error", "mm", "Allowed position error in the second row", Real(0.001), 1000}, &asked);
   return e.run(argc, argv, [&] {
     const std::vector<std::pair<Paint, std::string>> paints{{Paint::flight, "in flight"},
                                                             {Paint::two, "one or two half steps"},

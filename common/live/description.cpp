@@ -49,9 +49,6 @@ std::string Live::description() const {
   for (std::size_t a = 0; a < experiment_.scene_records_.size(); ++a) {
     const Experiment::SceneRecord& record = experiment_.scene_records_[a];
     const Scene& scene = record.scene;
-    std::vector<const Variant*> here;
-    for (const Variant& variant : experiment_.variants_)
-      if (variant.scene == a) here.push_back(&variant);
     const double aspect =
         scene.strobe ? 1520.0 / scene.strobe->height : 500.0 / (scene.cell_height > 0 ? scene.cell_height : 281);
     std::string series = array_of(record.series, [](const Experiment::Quantity& quantity) {
@@ -79,7 +76,7 @@ std::string Live::description() const {
                    return fmt::format(R"({{"name": {}, "unit": {}}})", pushback::quoted(number.name),
                                       pushback::quoted(number.unit));
                  }),
-        array_of(here, [&](const Variant* variant) { return in_full(*variant); })));
+        array_of(variants_of(a), [&](const Variant* variant) { return in_full(*variant); })));
   }
   return fmt::format(
       R"({{"name": {}, "dt": {}, "problems": {}, "scenes": [{}]}})", pushback::quoted(experiment_.name_),

@@ -80,9 +80,8 @@ Live::Live(Experiment& experiment, std::function<void()> define, std::size_t byt
   const auto common = [this](const Parameter& parameter, double value, bool whole, ParameterVariable variable) {
     parameters_.push_back({parameter, {value}, whole, variable});
   };
-  common(
-      {"--sweeps", "", "", "Sweeps over the rows in each step, also where a variant has a number of its own", 1, 200},
-      experiment.sweeps_, true, &experiment.sweeps_);
+  common({"--sweeps", "", "", "Sweeps per step, in every variant", 1, 200}, experiment.sweeps_, true,
+         &experiment.sweeps_);
   common({"--dt", "h", "s", "Time step", 0.001, 0.1}, static_cast<double>(experiment.dt_), false, &experiment.dt_);
   common({"--seconds", "", "s", "Simulated time", 0.1, 120}, 0, false, &experiment.seconds_);
   experiment_.describe(define_);
@@ -151,9 +150,19 @@ void Live::set(const std::string& assignments) {
   }
 }
 
+std::vector<const Variant*> Live::variants_of(std::size_t scene) const {
+  std::vector<const Variant*> all;
+  for (const Variant& variant : experiment_.variants_)
+    if (variant.scene == scene) all.push_back(&variant);
+  return all;
+}
+
 void Live::choose(std::size_t scene, std::vector<std::size_t> variants) {
   if (scene >= experiment_.scene_records_.size())
     throw InvalidInput(fmt::format("scene {}: there are {}, the first is 0", scene, experiment_.scene_records_.size()));
+  if (variants_of(scene).empty())
+    throw InvalidInput(
+        fmt::format("'{}' has no variant with these parameters", experiment_.scene_records_[scene].scene.name));
   scene_ = scene;
   chosen_ = std::move(variants);
   begin();
@@ -165,9 +174,8 @@ void Live::begin() {
   held_.reset();
   now_ = until_ = 0;
   scene_ = std::min(scene_, experiment_.scene_records_.size() - 1);
-  std::vector<const Variant*> here;
-  for (const Variant& variant : experiment_.variants_)
-    if (variant.scene == scene_) here.push_back(&variant);
+  if (variants_of(scene_).empty()) scene_ = experiment_.variants_.at(0).scene;
+  const std::vector<const Variant*> here = variants_of(scene_);
   std::erase_if(chosen_, [&](std::size_t place) { return place >= here.size(); });
   std::sort(chosen_.begin(), chosen_.end());
   chosen_.erase(std::unique(chosen_.begin(), chosen_.end()), chosen_.end());

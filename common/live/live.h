@@ -40,9 +40,11 @@ class Live {
   std::string values() const;
 
   /// Sets parameters: "--beta=0,1.4;--depth=0.1". Flags that are not named get their defaults. The scene begins again, with the same
-  /// variants as far as they still exist. Throws InvalidInput if a value cannot be used, and keeps the old values.
+  /// variants as far as they still exist. If the scene has none left, the first scene that has variants begins instead. Throws
+  /// InvalidInput if a value cannot be used, and keeps the old values.
   void set(const std::string& assignments);
-  /// Begins a scene, by index, with some of its variants, by index in the scene. Throws InvalidInput if there is no such scene.
+  /// Begins a scene, by index, with some of its variants, by index in the scene. Throws InvalidInput if there is no such scene, or
+  /// if it has no variant with the current parameters.
   void choose(std::size_t scene, std::vector<std::size_t> variants);
 
   std::size_t scene() const { return scene_; }
@@ -105,6 +107,7 @@ class Live {
   class Track;
 
   const ParameterWithDefault& parameter(const std::string& flag) const;
+  std::vector<const Variant*> variants_of(std::size_t scene) const;
   void begin();
   Ray ray(const Camera& camera, Real aspect, Real x, Real y) const;
 

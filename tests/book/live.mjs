@@ -170,6 +170,53 @@ test("the address holds the state, and what it says wrongly is left as it is", a
   await wrong.close();
 });
 
+test("a scene that has no variant with these values cannot be chosen, and where one is left without any, another begins", async () => {
+  const { key, name } = (await engineOf(chapter)).description.scenes[1];
+  const page = await opened(`&beta=0&scene=${key}`);
+  assert.match(await page.getByRole("alert").textContent(), /has no variant/);
+  assert.deepEqual(await names(page), ["β = 0"]);
+  assert.ok(await page.locator(".pb-scene option").nth(1).isDisabled());
+  await page.evaluate((state) => (location.hash = state), `live=${chapter}&beta=0,0.5&scene=${key}`);
+  await page.waitForFunction(() => player.engine.sceneIndex === 1);
+  await page.evaluate(() => player.set("--beta=0", true));
+  await settled(page);
+  assert.match(await page.getByRole("alert").textContent(), /has no variant/);
+  assert.ok((await page.getByRole("alert").textContent()).includes(name));
+  assert.deepEqual(await names(page), ["β = 0"]);
+  assert.deepEqual(page.wrong, []);
+  await page.close();
+});
+
+test("a scene plays within some five seconds, in a picture that keeps its size", async () => {
+  for (const name of experiments.filter((one) => ["07_warm_start", "12_soft_contacts"].includes(one))) {
+    const page = await running(browser, `chapters/${name}/index.html`, `live=${name}`);
+    const seconds = await page.evaluate(() => (player.engine.steps * player.engine.dt) / player.speed);
+    assert.ok(seconds <= 6, `${name}: ${seconds} s`);
+    const size = () => page.evaluate(() => player.view.stage.size.height);
+    await page.evaluate(() => document.querySelectorAll(".pb-fold").forEach((fold) => (fold.open = false)));
+    await settled(page);
+    const start = await size();
+    await seek(page, 60);
+    await page.evaluate(() => new Promise((done) => setTimeout(done, 500)));
+    assert.equal(await size(), start, name);
+    await page.close();
+  }
+});
+
+test("a legend of a curve marks each variant once", async () => {
+  const page = await opened();
+  const marks = await page.evaluate(() =>
+    [...document.querySelectorAll(".pb-deck .u-series")]
+      .slice(1, 1 + player.engine.lanes.length)
+      .map((row) => [row.querySelectorAll("th > :not(.u-label)").length, row.querySelector(".u-label").textContent]),
+  );
+  assert.deepEqual(
+    marks,
+    (await names(page)).map((name) => [1, name]),
+  );
+  await page.close();
+});
+
 test("words that set the figure are links to its state; the browser's own way leads back to them", async () => {
   const page = await opened("&step=5");
   await page.locator("summary", { hasText: "Answer" }).first().click();
@@ -183,6 +230,19 @@ test("words that set the figure are links to its state; the browser's own way le
   await page.waitForFunction(() => player.engine.now === 5);
   const { top, bottom } = await link.evaluate((element) => element.getBoundingClientRect().toJSON());
   assert.ok(top >= 0 && bottom <= 800, `the words stand from ${top} to ${bottom}`);
+  assert.deepEqual(page.wrong, []);
+  await page.close();
+});
+
+test("on a telephone the variant that the guess asks about is seen first, and nothing lies on its picture", async () => {
+  const page = await opened("", { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  assert.equal(await page.getByRole("tab", { selected: true }).textContent(), "◆ β = 1");
+  const covered = await page.evaluate(() => {
+    const { canvas, labels } = player.view.stage;
+    const { top } = canvas.getBoundingClientRect();
+    return [...labels.children].filter((one) => one.getBoundingClientRect().bottom > top + 1).length;
+  });
+  assert.equal(covered, 0);
   assert.deepEqual(page.wrong, []);
   await page.close();
 });
@@ -304,8 +364,16 @@ test("each cell of the table of hard cases leads to its case under its stage", {
   for (const [, , state, title] of cells) {
     const asked = new URLSearchParams(state.replaceAll("&amp;", "&"));
     const scene = scenes.find(({ key }) => key === asked.get("scene"));
-    assert.equal(scene?.variants[Number(asked.get("show"))].name, title, state);
+    const shown = asked.get("show").split(",").map(Number);
+    assert.equal(scene?.variants[shown[0]].name, title, state);
+    assert.equal(new Set(shown.filter((place) => scene.variants[place])).size, 4, state);
   }
+  const moving = await newPage(browser, { reducedMotion: "no-preference" });
+  await moving.goto(address("renders/hard_cases/table.html"));
+  await moving.locator('td a[href*="scene=ball-and-chain&"]').nth(7).click();
+  await moving.waitForFunction(() => window.PUSHBACK_LIVE_TEST?.player()?.engine.now > 1);
+  assert.equal(await moving.evaluate(() => window.PUSHBACK_LIVE_TEST.player().engine.lanes.length), 4);
+  await moving.close();
   const page = await running(browser, "docs/hard_cases.html", "live=hard_cases&scene=ball-and-chain&show=0");
   await seek(page, 5);
   await page.getByText(/00 naive: ended at 0.0167 s: .*joint/).waitFor();

@@ -159,7 +159,7 @@ function kindOf(file) {
   if (name.startsWith("sheet")) return "sheet";
   if (name.endsWith(".svg")) return "drawing";
   if (name.endsWith(".webp")) return "film";
-  return /^(guess|thumbnail)/.exec(name)?.[0] ?? "plot";
+  return /^(guess|start|thumbnail)/.exec(name)?.[0] ?? "plot";
 }
 
 /// The first picture of an animated WebP as a file of its own: its chunk of pixels, which has to fill the whole canvas.

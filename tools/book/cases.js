@@ -1,5 +1,5 @@
-/// The hard cases: in their table `#stack-10` is the row of a case, its name leads to what is asked of it, and each cell
-/// is played under its stage. On docs/hard_cases.md `#stack-10` is its name in the first cell of a row.
+/// The hard cases: in their table `#stack-10` is the row of a case, its name leads to what is asked of it, and each cell plays the case
+/// under its stage and under the three stages before it. On docs/hard_cases.md `#stack-10` is its name in the first cell of a row.
 import { relative } from "./outline.js";
 
 const table = "renders/hard_cases/table.md";
@@ -36,7 +36,8 @@ function linkTable(tokens, page) {
     } else if (column > 0) {
       if (!name || !page.played || stages[stage] === tooLong) return;
       const [, rate] = /^dt-(\d+)$/.exec(name) ?? []; // those that are of a step have it in their names
-      const state = `live=hard_cases&scene=${name}&show=${stage}${rate ? `&dt=${1 / rate}` : ""}`;
+      const shown = [stage, ...[0, 1, 2, 3].map((i) => Math.max(0, stage - 3) + i).filter((one) => one !== stage)];
+      const state = `live=hard_cases&scene=${name}&show=${shown}${rate ? `&dt=${1 / rate}` : ""}&play=1`;
       link(cell, `${relative(page.address, page.played.address)}#${state}`, stages[stage]);
     } else if ((name = names.get(textOf(cell)))) {
       row.attrSet("id", before === 0 ? name : `${name}-after`);

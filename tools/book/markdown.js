@@ -49,6 +49,33 @@ function readPage({ tokens, env: page }) {
   smallPictures(tokens, page);
   settingSentences(tokens, page);
   challengeLinks(tokens, page);
+  for (const token of tokens) if (token.type === "inline") keepTogether(token.children);
+}
+
+const unit = "(?:[kcmµn]?m|[mµn]?s|k?g|k?Hz|k?N|k?J|rad|[kMG]?B|[°%])(?![\\w])";
+const beforeUnit = new RegExp(`(\\d|\\b(?:N|kg)) (?=${unit})`, "g");
+const afterFormula = new RegExp(`^(?:\\s${unit})?[,.;:!?)\\]”’]*`);
+
+/// A unit stays on the line of its number. Brackets and punctuation marks stay on the line of a formula, where a browser may part them.
+function keepTogether(children) {
+  children.forEach((child, i) => {
+    const [before, after] = [children[i - 1]?.content ?? "", children[i + 1]?.content ?? ""];
+    if (child.type === "softbreak" && `${before.slice(-2)} ${after.slice(0, 6)}`.search(beforeUnit) >= 0)
+      Object.assign(child, { type: "text", content: "\u00a0" });
+    if (child.type === "text") child.content = child.content.replace(beforeUnit, "$1\u00a0");
+    if (child.type !== "math_inline") return;
+    const next = children
+      .slice(i + 1)
+      .find(({ nesting, content }) => nesting !== -1 && !["", "</a>"].includes(content));
+    const tail = next?.type === "text" ? afterFormula.exec(next.content)[0] : "";
+    const head = children[i - 1]?.type === "text" ? /[([“‘]*$/.exec(before)[0] : "";
+    if (!head && !tail) return;
+    if (tail) next.content = next.content.slice(tail.length);
+    if (head) children[i - 1].content = before.slice(0, -head.length);
+    const html = child.meta.html.replace(/(?<=<\/span>)(?=<span class="base">)/g, '<wbr style="white-space: normal">');
+    const whole = head + html + tail.replace(" ", "\u00a0");
+    child.meta = { ...child.meta, html: `<span style="white-space: nowrap">${whole}</span>` };
+  });
 }
 
 /// `<!-- search: jitter, flicker -->`: words by which a reader looks for the page, and which it does not need to say.

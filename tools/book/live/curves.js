@@ -126,7 +126,7 @@
             ],
             series: [
               { label: "t", value: (_, value) => `${three(value)} s` },
-              ...lanes.map((lane) => line(`${lane.marker} ${lane.name}`, { stroke: lane.colour, width: 2 })),
+              ...lanes.map((lane) => line(lane.name, { stroke: lane.colour, width: 2 })),
               ...references.map(({ label }) => line(label || "should be", { stroke: ink, dash: [5, 4], width: 1.2 })),
             ],
             cursor: { y: false, drag: { x: false, y: false } },
@@ -135,6 +135,8 @@
           this.data(lanes, which, references),
           figure,
         );
+        const [, ...marks] = plot.root.querySelectorAll(".u-legend .u-marker");
+        lanes.forEach((lane, i) => marks[i].replaceWith(live.marked(lane)[0]));
         live.pointing(plot.over, (x) => this.seek(Math.round(plot.posToVal(x, "x") / dt)));
         this.plots.push({ plot, place, lanes, which, references });
       });

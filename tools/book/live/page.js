@@ -19,6 +19,21 @@
   live.small = (textContent, onclick, more) =>
     make("button", { type: "button", className: "pb-small", textContent, onclick, ...more });
 
+  /** The place of the variant that the page's guess names first, to be seen first where there is room for one. */
+  live.askedOf = function (variants) {
+    let text = "",
+      next = document.getElementById("your-guess")?.nextElementSibling;
+    for (; next && !next.matches("h2, details"); next = next.nextElementSibling) {
+      const copy = next.cloneNode(true);
+      for (const twice of copy.querySelectorAll("annotation, .katex-html")) twice.remove();
+      text += copy.textContent.replace(/\s/g, "");
+    }
+    const named = variants.map(({ name }, place) => ({ place, words: name.replace(/:.*|\s/g, "") }));
+    const found = named.filter(({ words }) => text.includes(words));
+    found.sort((a, b) => text.indexOf(a.words) - text.indexOf(b.words) || b.words.length - a.words.length);
+    return found[0]?.place ?? 0;
+  };
+
   const scripts = new Map();
   /** Loads a classic script once: it also works where a page is opened from a folder. */
   live.loadScript = function (src) {

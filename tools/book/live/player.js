@@ -20,19 +20,26 @@
       this.stop();
       this.challenge = this.speed = null;
       engine.set("");
+      const scenes = () => engine.description.scenes; // their variants depend on the parameters
+      const usual = Math.max(
+        0,
+        scenes().findIndex(({ pictures }) => pictures),
+      ); // that of the sheet
+      engine.choose(usual, [0, 1, 2, 3]);
       const own = engine.parameters
         .filter(({ flag }) => from.has(flag.slice(2)))
         .map(({ flag }) => [flag, from.get(flag.slice(2))]);
       const list = (name) => (from.has(name) ? from.get(name).split(",").map(Number).filter(Number.isFinite) : []);
       let problem = engine.set(own.map((pair) => pair.join("=")).join(";"));
-      const { scenes } = engine.description;
-      const scene = scenes.findIndex(({ key }) => key === from.get("scene"));
-      const usual = Math.max(
-        0,
-        scenes.findIndex(({ pictures }) => pictures),
-      ); // that of the sheet
+      const scene = scenes().findIndex(({ key }) => key === from.get("scene"));
       const places = list("show").filter((place) => place >= 0 && place < 32);
-      engine.choose(scene < 0 ? usual : scene, places.length ? places : [0, 1, 2, 3]);
+      const refused = engine.choose(scene < 0 ? usual : scene, places.length ? places : [0, 1, 2, 3]);
+      problem ||= refused;
+      const first = places[0] ?? live.askedOf(engine.scene.variants);
+      stage.tab = Math.max(
+        0,
+        engine.lanes.findIndex(({ place }) => place === first),
+      );
       const challenges = JSON.parse(this.figure.dataset.challenges ?? "[]");
       const taken = challenges.find(({ key }) => key === from.get("challenge"));
       if (taken) {
@@ -75,10 +82,10 @@
       this.speed ??= this.usualSpeed();
       this.view.begin();
     }
-    /** So slow that the scene takes three seconds. */
+    /** So that the scene takes three to six seconds. */
     usualSpeed() {
       const seconds = this.engine.steps * this.engine.dt;
-      return live.speeds.filter((speed) => speed <= 1 && seconds / speed >= 3).pop() ?? live.speeds[0];
+      return live.speeds.filter((speed) => seconds / speed >= 3).pop() ?? live.speeds[0];
     }
 
     // ---- what somebody chooses
@@ -106,7 +113,9 @@
       this.remember();
     }
     set(assignments, done) {
-      const { engine } = this;
+      const { engine } = this,
+        { name } = engine.scene,
+        scene = engine.sceneIndex;
       this.again(() => {
         const before = engine.scene.variants.length,
           all = engine.lanes.length === Math.min(4, before);
@@ -115,6 +124,7 @@
         if (!problem) this.iterations.changed();
         return problem;
       });
+      if (engine.sceneIndex !== scene) this.view.tell(`“${name}” has no variant with these values.`);
       if (!done) return this.view.stage.hurry();
       this.view.controls.build();
       this.remember();

@@ -189,7 +189,8 @@
         for (const [side, value] of Object.entries(box)) element.style[side] = `${value}px`;
         return element;
       };
-      const labels = wanted.map(({ pane, mishap, ...lane }) => {
+      const labelled = wanted.filter(({ mishap }) => mishap || !this.tabbed); // what a tab names needs no label on its picture
+      const labels = labelled.map(({ pane, mishap, ...lane }) => {
         const words = this.tabbed
           ? [mishap]
           : live.marked({ ...lane, name: [lane.name, mishap].filter(Boolean).join(": ") });

@@ -3,7 +3,7 @@
 (function () {
   const live = (self.PushbackLive = self.PushbackLive || {});
   const { make } = live;
-  live.speeds = [1 / 32, 1 / 16, 1 / 8, 1 / 4, 1 / 2, 1, 2, 4, 8];
+  live.speeds = [1 / 32, 1 / 16, 1 / 8, 1 / 4, 1 / 2, 1, 2, 4, 8, 16, 32];
   const speedName = (speed) =>
     speed < 1 ? `1/${Math.round(1 / speed)} of real time` : speed === 1 ? "real time" : `${speed} times as fast`;
   const help =
@@ -250,7 +250,9 @@
         { variants } = engine.scene;
       const shown = engine.lanes.map(({ place }) => place);
       this.scenes.replaceChildren(
-        ...engine.description.scenes.map(({ name }) => make("option", { textContent: name })),
+        ...engine.description.scenes.map(({ name: textContent, variants }) =>
+          make("option", { textContent, disabled: !variants.length }),
+        ),
       );
       this.scenes.selectedIndex = engine.sceneIndex;
       this.speeds.value = player.speed;
