@@ -55,7 +55,7 @@ TEST_CASE("a class is graded: a table, JSON and JUnit XML, and again, only what 
   const std::string xml = text_of(all.scratch / "out/results.xml");
   CHECK(contains(xml, "<testsuite name=\"anna\" tests=\"4\" failures=\"0\">"));
   CHECK(contains(xml, "<testsuite name=\"ben &amp; co\" tests=\"4\" failures=\"1\">"));
-  CHECK(contains(xml, "<failure message=\"your ball, which is more than a metre deep, leaves with"));
+  CHECK(contains(xml, "<failure message=\"your ball, which is more than a metre deep, leaves at"));
   const Ended second = all.grade("");
   CHECK(second.err.empty());
   CHECK(second.out == first.out);
