@@ -70,8 +70,8 @@ Problem problem_of(const Ended& ended, double seconds, const std::string& where,
                    const std::string& last_printed) {
   const auto by_signal = [&](int signal) { return ended.signal == signal || ended.status == 128 + signal; };
   if (ended.out_of_time || ((by_signal(SIGXCPU) || by_signal(SIGKILL)) && seconds >= limits.seconds))
-    return {"time", fmt::format("{}, your program had no answer after {} s of processor time, or {} s of wall-clock "
-                                "time. Look for an endless loop.",
+    return {"time", fmt::format("{}, your program had no answer after {} s of processor time, or {} s by the clock. "
+                                "Look for an endless loop.",
                                 where, limits.seconds, AttemptLimits::patience * limits.seconds)};
   if (by_signal(SIGABRT))
     return {"crash",
@@ -80,7 +80,7 @@ Problem problem_of(const Ended& ended, double seconds, const std::string& where,
   if (by_signal(SIGXFSZ))
     return {"files", where + ", your program wrote more than 64 MB. Look for a loop that prints."};
   for (const int signal : {SIGALRM, SIGHUP, SIGINT, SIGKILL, SIGPIPE, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU})
-    if (by_signal(signal)) return {"crash", fmt::format("{}, the signal {} ended your program.", where, signal)};
+    if (by_signal(signal)) return {"crash", fmt::format("{}, your program was ended by the signal {}.", where, signal)};
   if (ended.status < 0 || ended.status > 128)
     return {"crash", where +
                          ", your program accessed memory that is not its own, and was stopped. Look for an index past "
@@ -130,7 +130,7 @@ std::string first_error(const std::string& messages, const fs::path& students_fi
 /// Why there is no program.
 std::string built_not(const Ended& ended, const fs::path& own, const AttemptLimits& limits) {
   if (ended.out_of_time || ended.err.find("CPU time limit exceeded") != std::string::npos)
-    return fmt::format("the compiler did not finish after {} s of processor time, or {} s of wall-clock time.",
+    return fmt::format("the compiler did not finish after {} s of processor time, or {} s by the clock.",
                        limits.compile_seconds, AttemptLimits::patience * limits.compile_seconds);
   return shortened(first_error(shortened(ended.err, 100'000), own), 1000);
 }
