@@ -1,7 +1,7 @@
 /// Three solvers to use as they are. Their prices: docs/which_solver.md
 ///
 ///   Recommended solver;
-///   solver.error = 1e-3;  // m, of a place after a second; without it only the energy of each island is checked
+///   solver.error = 1e-3;  // m, of the position after a second. Without it only the energy of each island is checked
 ///   world.step(solver, 1.0 / 60);
 #pragma once
 
@@ -18,8 +18,8 @@ struct Fast : WideSolver<float> {
   }
 };
 
-/// Each island by the step that fits it: few contacts and resting islands are solved at once and to second order, tumbling ones in 32
-/// substeps, in double. With `error`, in as many substeps as the error needs.
+/// Gives each island the step that fits it. Few contacts and resting islands are solved together and to second order, and
+/// tumbling ones in 32 substeps, in double. With `error`, each island gets as many substeps as the error needs.
 using Recommended = IslandSolver;
 
 /// The same with errors 4 to 30 times smaller, unless they are 0, in up to 2.5 times the time: 128 substeps, half steps in 8 and more.

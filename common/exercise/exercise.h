@@ -33,7 +33,7 @@ struct Check {
   int points;
   /// Plays a random scene and returns its readings. Their quantities and order are the same for every answer.
   std::function<std::vector<Reading>(Random&, const Answer&)> play;
-  /// The physical error of every answer that fails. It continues "your column leaves with 0.31 m/s where 0 is right: ".
+  /// The physical error of every answer that fails. It continues "your column leaves at 0.31 m/s, but 0 is right: ".
   std::string hint = {};
 };
 

@@ -1,4 +1,4 @@
-/// Nonsmooth nonlinear conjugate gradients: sweeps with a memory of the direction in which impulses change.
+/// Nonsmooth nonlinear conjugate gradients, which are sweeps that remember the direction in which impulses change.
 ///
 /// A sweep maps r to F(r), and r is a solution if F(r) = r. The method takes r - F(r) for a gradient g, and applies the formula
 /// of Fletcher and Reeves without a line search:

@@ -33,7 +33,7 @@ struct ContactProblem {
 /// The point of the cone |r_t| <= mu r_n that is nearest to r. For mu = 0 the cone is the ray r_n >= 0, r_t = 0.
 Eigen::Vector3d projected_to_cone(const Eigen::Vector3d& r, double mu);
 
-/// || r - Pi(r - (u + mu |u_t| n)) || / ||q||, the error of the natural map; not divided if q is 0. It is 0 if and only if r is
+/// || r - Pi(r - (u + mu |u_t| n)) || / ||q||, the error of the natural map, undivided if q is 0. It is 0 if and only if r is
 /// a solution. Acary, Bremond and Huber, 2018, use this measure. Because it adds N s and m/s, its value depends on the units: a
 /// scene in grams has another residual than the same scene in kilograms.
 double relative_residual(const ContactProblem& problem, const Vector& r);

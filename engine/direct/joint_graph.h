@@ -1,4 +1,4 @@
-/// The graph of joints: moving bodies are its nodes, joints are its edges.
+/// The graph of joints, whose nodes are moving bodies and whose edges are joints.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@ namespace pushback {
 using JoinedBodies = std::pair<int, int>;
 inline constexpr int not_moving = -1;
 
-/// Of each joint, whether the group of connected joints to which it belongs has a loop. Two joints between the same two bodies,
+/// For each joint, whether its group of connected joints has a loop. Two joints between the same two bodies,
 /// such as a ball and socket and its limits, are not a loop.
 std::vector<bool> in_loops(const std::vector<JoinedBodies>& joints);
 
@@ -23,7 +23,7 @@ std::vector<int> root_first(const std::vector<JoinedBodies>& joints);
 /// The joints of each moving body, ascending.
 std::map<int, std::vector<int>> joints_by_body(const std::vector<JoinedBodies>& joints);
 
-/// Of each joint, the other joints of its moving bodies, ascending.
+/// For each joint, the other joints of its moving bodies, ascending.
 std::vector<std::vector<int>> joint_neighbours(const std::vector<JoinedBodies>& joints);
 
 }  // namespace pushback

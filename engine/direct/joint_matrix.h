@@ -37,7 +37,7 @@ class JointMatrix {
     int a, b, rows;
     bool operator==(const JointBodies&) const = default;
   };
-  /// Computes A from the rows, and L and D from A. `rows` are those of the first joint, then those of the second, and so on.
+  /// Computes A from the rows, and L and D from A. `rows` contains the rows of the first joint, then of the second, and so on.
   /// Rows that are not `active` are left out.
   void factor(const JointRows& rows, const std::vector<JointBodies>& joints, const std::vector<char>& active);
   /// Solves A x = b. x is b at first. The numbers of rows that are not solved become 0.
@@ -75,7 +75,7 @@ class JointMatrix {
   void assemble(const JointRows& rows);
   void eliminate(const Column& column, const JointRows& rows, const std::vector<char>& active);
 
-  std::vector<JointBodies> joints_;  // what it was analysed for
+  std::vector<JointBodies> joints_;  // the graph of the latest analysis
   std::vector<int> order_;           // of elimination
   std::vector<Column> columns_;
   std::vector<Block> blocks_;

@@ -20,7 +20,7 @@ Vector speeds_of(const Rows& rows);
 /// from A.
 void project_row(const SparseMatrix& a, const Vector& b, Eigen::Index i, double lo, double hi, Vector& impulses);
 
-/// The problem of a world's contacts. q is J V for the present velocities, which are those of the step after World::begin_step.
+/// The problem of a world's contacts. q is J V for the present velocities, which World::begin_step has already updated.
 /// r_n is along the normal of each contact, r_t along its tangents_of.
 ContactProblem problem_of(World& world);
 

@@ -1,4 +1,4 @@
-/// Newton's method for a few contacts. The equation f = 0 is that of proximal_newton.h. The matrices have a maximum size, so
+/// Newton's method for a few contacts, with the equation f = 0 of proximal_newton.h. The matrices have a maximum size, so
 /// they need no memory from the heap.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// Sweeps over a contact problem: the sweeps of chapters 06 and 08, written for W instead of rows.
+/// Sweeps over a contact problem, as in chapters 06 and 08, but written for W instead of rows.
 ///
 /// A sweep solves each contact by itself, in turn. First all normals,
 ///

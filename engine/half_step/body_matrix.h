@@ -8,8 +8,8 @@
 
 namespace pushback {
 
-/// A = L U in blocks of 6 x 6, for six velocities a body: two bodies share a block where something acts between them. L and U have
-/// some blocks more, as few as an approximate minimum degree makes them: between bodies there are far fewer of them than between
+/// A = L U in blocks of 6 x 6, for six velocities per body. Two bodies share a block if something acts between them. L and U have
+/// some blocks more, as few as an approximate minimum degree gives. There are far fewer blocks between bodies than between
 /// contacts. The order is found once, and stays while the same bodies share blocks.
 class BodyMatrix {
  public:
@@ -17,8 +17,8 @@ class BodyMatrix {
   using Six = Eigen::Matrix<double, 6, 1>;
   using Pairs = std::vector<std::pair<int, int>>;
 
-  /// A = 1. `pairs`: the places of those that share a block, each below `bodies`, the lower one first. False if `factor` would take
-  /// more than `most` multiplications. Then there is no matrix. Finding that out takes far fewer.
+  /// A = 1. `pairs`: indices of bodies that share a block, each below `bodies`, the lower one first. False if `factor` would take
+  /// more than `most` multiplications. Then there is no matrix. This check takes far fewer.
   bool begin(int bodies, const Pairs& pairs, double most = std::numeric_limits<double>::infinity());
   /// To the block in the row of one body and the column of another: itself, or one of its pairs.
   void add(int row, int column, const Block& block);
@@ -48,7 +48,7 @@ class BodyMatrix {
   Column& column_of(int body) { return columns_[static_cast<std::size_t>(body)]; }
   const Column& column_of(int body) const { return columns_[static_cast<std::size_t>(body)]; }
 
-  Pairs pairs_;                // what it was analysed for
+  Pairs pairs_;                // the pairs of the latest analysis
   std::vector<int> order_;     // of elimination
   std::vector<int> position_;  // of each body, there
   std::vector<Column> columns_;

@@ -15,7 +15,7 @@ struct BodyState {
   void restore(Body& body) const;
 };
 
-/// `states` becomes those of all bodies of the world.
+/// Fills `states` with the states of all bodies of the world.
 void save_states(const World& world, std::vector<BodyState>& states);
 /// Gives the first states.size() bodies their states.
 void restore_states(World& world, const std::vector<BodyState>& states);

@@ -8,19 +8,19 @@
 
 namespace pushback {
 
-/// A body, and where it will be if it touches nothing: a half step of t seconds from where it is.
+/// A body with its future motion if it touches nothing, which is a half step of t seconds from its present state.
 class Flight {
  public:
-  /// `linear`, `angular`: its accelerations, m/s^2 and rad/s^2, world axes. It is asked about no more than `within` s.
+  /// `linear`, `angular`: its accelerations, m/s^2 and rad/s^2, world axes. Queries are for at most `within` s.
   Flight(const Body& body, const Vec3& linear, const Vec3& angular, Real within);
-  /// Where it is after t seconds, without its I^-1.
+  /// The state after t seconds, without I^-1.
   const Body& at(Real t);
 
-  /// Of a corner of its core, along a direction n: m from the body's position, and m/s.
+  /// For a corner of its core, along a direction n: m from the body's position, and m/s.
   struct Corner {
     Real height, speed;
   };
-  /// Of all corners, where `at` was asked last. The speeds are off by no more than `slack`.
+  /// For all corners, at the time of the latest call of `at`. The speeds are off by no more than `slack`.
   void look_along(const Vec3& n);
   const std::vector<Corner>& corners() const { return seen_; }
   Real slack() const { return bend_ * little_ / 2; }
@@ -39,21 +39,21 @@ class Flight {
   bool turns_ = false;
 };
 
-/// s from now, or nothing where they do not touch within `within` s. Then they are apart by no more than `touching` (m), and have
-/// not been nearer before. Who touches now and leaves is found when it is back.
+/// s from now, or nothing if they do not touch within `within` s. Then they are apart by no more than `touching` (m), and have
+/// not been nearer before. Bodies that touch now and separate are found when they return.
 ///
 /// Two convex bodies are apart as long as their shadows on some line are. Take the n along which they are d apart: corner q of B and
 /// corner p of A come nearer along it by no more than
 ///
 ///   d_pq(t + s) >= d_pq + c s + (a - k) s^2 / 2      c: their velocity along n now,  a: the acceleration,  k: what turns may bend
 ///
-/// so until the first root of any of these nothing can touch. Go there, and ask again (conservative advancement). For balls that
-/// is Newton's method, from the side on which it never oversteps.
-///   Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, PhD thesis, Berkeley 1996, 2.3, with speeds alone.
-/// Where that takes more than 100 rounds, it ends at a time until which nothing has touched.
+/// so nothing can touch until the first root of any of these. Advance to it, and repeat (conservative advancement). For balls,
+/// this is Newton's method, from the side on which it never oversteps.
+///   Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, PhD thesis, Berkeley 1996, 2.3, with speeds only.
+/// After 100 rounds, the search ends at a time until which nothing has touched.
 std::optional<Real> first_touch(Flight& a, Flight& b, Real within, Real touching);
 
-/// The first s > 0 with  d + c s + a s^2 / 2 = 0,  d >= 0; infinite where there is none.
+/// The first s > 0 with  d + c s + a s^2 / 2 = 0,  d >= 0, or infinity if there is none.
 Real first_root(Real d, Real c, Real a);
 
 }  // namespace pushback

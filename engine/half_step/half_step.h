@@ -25,11 +25,11 @@ struct StepOutcome {
 ///   v += h/2 M^-1 f(x)                          the second half, with the forces at the new place
 ///   v += M^-1 J(x)^T lambda                     so that J v = 0
 ///
-/// The position is a constraint of its own, so no error is fed back as a velocity: there is no beta. The step is the same backwards in
+/// The position is a separate constraint, so no error is fed back as a velocity and there is no beta. The step is the same back in
 /// time. Forces may depend on places and on time. A force that depends on velocities, such as drag, makes the step first order.
 ///
-/// Contacts are held in both stages as well, see held_contacts.h; so are limits, motors and springs, see held_joints.h. Rows that
-/// cannot be solved one kind at a time are solved together: newton_from_guess.h. An impact within a step is of first order, unless
+/// Contacts are also held in both stages (held_contacts.h), and so are limits, motors and springs (held_joints.h). Rows that
+/// cannot be solved one kind at a time are solved together by newton_from_guess.h. An impact makes a step of first order, unless
 /// `impacts` cuts the step there.
 ///
 /// Where Newton's method does not converge, the step is divided in two, and these again. HalfStep refuses sleeping bodies, springs whose
@@ -45,8 +45,8 @@ class HalfStep : public StepSolver, public HalfStepSettings {
   bool supports_joints() const override { return true; }
   void check(World& world, Real h) override;
   void after_detection(World& world, Real h) override;
-  /// A step of h, with its own drift. `sweeps` do not matter. Throws InvalidInput if it does not converge; the bodies are then where they
-  /// were.
+  /// A step of h, with its own drift. `sweeps` is ignored. Throws InvalidInput if it does not converge, with the bodies back
+  /// at their old places.
   void solve(World& world, Real h, int sweeps) override;
   void end_detection(World& world) override;
   /// World::step has moved the bodies, which `solve` left at rest at their new places. Gives them their velocities.

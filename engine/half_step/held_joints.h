@@ -1,4 +1,4 @@
-/// Joints in two stages: where their points are to be after the drift, and how they may move when it is over.
+/// Joints in two stages: the position after the drift, and the velocity at its end.
 #pragma once
 
 #include "pushback/engine/direct/joint_matrix.h"
@@ -6,65 +6,65 @@
 
 namespace pushback {
 
-/// What holds rigidly, C(x, t) = 0, is solved directly (chapter 18), with one matrix for both stages:
+/// Rigid constraints, C(x, t) = 0, are solved directly (chapter 18), with one matrix for both stages:
 ///
-///   velocities    J v + dC/dt = 0,     by impulses along J where the bodies are
-///   positions     C = 0 after a drift of h s, by impulses along the same J, where the drift begins
+///   velocities    J v + dC/dt = 0,     by impulses along J at the present positions
+///   positions     C = 0 after a drift of h s, by impulses along the same J, at the start of the drift
 ///
-/// So rows are placed once a step: where one drift ends, the next one begins. What else there is:
+/// So rows are placed once per step, at the end of one drift, where the next one begins. The other kinds of equations are:
 ///
-///   a limit       C >= 0, lambda >= 0: as a gap of contacts. C + h J v >= 0, then J v >= 0 where it has been reached
+///   a limit       C >= 0, lambda >= 0, like a contact's gap. C + h J v >= 0, then J v >= 0 if it has been reached
 ///   a motor       |lambda| <= h/2 force in each stage. C + h (J v + dC/dt) = 0, then J v + dC/dt = 0, as far as that goes
-///   a spring      no constraint but a force, -k C - c J v, in both halves of the kick: the first from the velocity before it,
-///                 the second from that after it. Backwards in time each is the other
+///   a spring      a force instead of a constraint, -k C - c J v, in both halves of the kick. The first half uses the velocity
+///                 before it, the second the velocity after it. Backwards in time the two are exchanged
 ///
-/// Limits, motors and dampers have to be solved together with everything else, by NewtonFromGuess.
+/// Limits, motors and dampers are solved together with all other rows, by NewtonFromGuess.
 class HeldJoints {
  public:
-  /// Throws InvalidInput where an equation gives way and has a limit; and, for `both_ways` in time, where one has a limit or damps.
+  /// Throws InvalidInput if an equation gives way and has a limit, and for `both_ways` in time also if one has a limit or damps.
   void check(const World& world, bool both_ways);
-  /// Asks all joints where the bodies are. What each row bears comes from World::joints, as the latest step left it.
+  /// Evaluates all joints at the present positions. The load of each row comes from World::joints, as the latest step left it.
   void begin(const World& world);
-  /// C of what holds rigidly, where the bodies are, at this time (s). Returns the largest |C|.
+  /// C of the rigid equations at the present positions and at this time (s). Returns the largest |C|.
   Real ask(const World& world, Real time);
-  /// Rows where the last `ask` was, of the bodies' I^-1.
+  /// Rows at the latest `ask`, from the bodies' I^-1.
   void place(World& world, Real time, Real h);
-  /// The first half of what springs do, by the velocities before it. Returns why not, if h is too long for one.
+  /// The first half of the spring impulses, by the velocities before it. Returns the reason if h is too long for a spring.
   std::string pull(const World& world, Real h);
-  /// The second, of those that do not damp.
+  /// The second half, for springs without damping.
   void pull_on(Real h);
-  /// What the rows are expected to bear in half of h.
+  /// The expected impulses of the rows in half of h.
   void start(Real h);
   /// After the last `ask`:   A lambda = -C / h
   void press(Real h);
-  /// A lambda = -(J v + dC/dt). `h`: of the step whose second half this is.
+  /// A lambda = -(J v + dC/dt). `h`: the step whose second half this is.
   void project(Real h);
-  /// The first stage is over: its impulses count.
+  /// Ends the first stage: its impulses are added to the sums.
   void pressed();
-  /// So is the second: and they are what is expected next.
+  /// Ends the second stage likewise. Its impulses are the expected ones of the next step.
   void projected(Real h);
-  /// At an impact, where the rows are placed: what acts in no time. That is what holds rigidly, and limits that are reached.
+  /// At an impact, where the rows are placed: the impulses of rigid equations, and of limits that are reached.
   void strike(NewtonFromGuess& newton);
-  /// Its impulses count.
+  /// Adds its impulses to the sums.
   void struck();
-  /// Joint::impulses and last_impulses: what acted since `begin`.
+  /// Joint::impulses and last_impulses: the sums since `begin`.
   void report(World& world) const;
 
   bool empty() const { return held_.empty(); }
   int rows() const { return static_cast<int>(rows_.size()); }
-  /// Whether A alone solves them.
+  /// Whether A is enough to solve them.
   bool linear() const { return linear_; }
-  /// The joint whose equation was off the most when last asked.
+  /// The joint whose equation had the largest error at the latest evaluation.
   std::size_t worst() const { return worst_; }
 
   // ---- together with contacts -------------------------------------------------------------------------------------
-  /// Limits and motors for the first stage of h, where the bodies are.
+  /// Limits and motors for the first stage of h, at the present positions.
   void aim(const World& world, Real time, Real h);
-  /// What holds rigidly, after the last `ask`: J v + b = C / h.
+  /// The rigid equations after the latest `ask`: J v + b = C / h.
   void aim_rigid(Real h);
-  /// All for the second.
+  /// All equations for the second stage.
   void settle(Real h);
-  /// Of the first stage or of the second.
+  /// The rows of the first or of the second stage.
   void add_to(NewtonFromGuess& newton, bool second);
 
  private:

@@ -5,15 +5,15 @@
 
 namespace pushback {
 
-/// How an impact is solved (chapter 09): each pair by itself, the fastest first, until no pair approaches; or all at the same time.
+/// The way to solve an impact (chapter 09): pair by pair, the fastest first, until no pair approaches, or all pairs at once.
 enum class Impacts { sequential, simultaneous };
 
 /// Pairs that are apart fly freely, without constraints:
 ///
 ///   1. the first time at which any of them touch, see first_touch.h
-///   2. a half step until then; pairs that stay in touch are held in it, as in chapter 24
-///   3. where bodies touch and approach, an impact:  J v >= -e v_n,  impulses inside the cone, solved directly (chapter 17); with a
-///      smaller e where e and friction together would add energy
+///   2. a half step until then, in which pairs that stay in touch are held as in chapter 24
+///   3. an impact of bodies that touch and approach:  J v >= -e v_n,  impulses in the cone, solved directly (chapter 17), with
+///      a smaller e where e and friction together would add energy
 ///
 /// and again, until the step is over. So bodies that are apart when a step begins cannot pass through each other. A pair that
 /// stays in touch is held as in chapter 24, also at other points.
@@ -25,10 +25,10 @@ enum class Impacts { sequential, simultaneous };
 ///
 ///   T = 2 u / (a (1 - e))
 ///
-/// If T is not above a substep, this bounce is the last: the body leaves with no speed, u^2 / (2 a) <= a h^2 (1 - e)^2 / 8 too low. With
-/// joints a is not known in advance, and is taken to be g.
+/// If T is not above a substep, this is the last bounce: the body leaves with no speed, u^2 / (2 a) <= a h^2 (1 - e)^2 / 8 too
+/// low. With joints a is not known in advance, and is taken to be g.
 ///
-/// Joined bodies do not fly freely. The half step itself shows how they move: its drift goes by v + h/2 a, with an a that includes the
+/// Joined bodies do not fly freely. The half step itself gives their motion, because its drift uses v + h/2 a, where a includes the
 /// joints. The time of touch of bodies that accelerate so is off by O(h^3). Newton's method corrects it, with a half step up to that time
 /// in each round. The impact is solved together with J v = 0 of the joints. A limit that is reached within a step is an impact as well, but
 /// the step is not cut for it.
@@ -60,7 +60,7 @@ class ImpactCuts {
         -1;       // its index in the contacts before the drift, if it touched there and the turn explains all of it
     Real by = 0;  // m
   };
-  /// s: the length of a part of a substep; nothing if the part failed.
+  /// s: the length of a part of a substep, or nothing if the part failed.
   using Length = std::optional<Real>;
 
   bool impact(KickDrift& motion, World& world, Real h, bool& met);

@@ -1,4 +1,4 @@
-/// Kick, drift, kick: one half step of a world.
+/// One half step of a world, as kick, drift and kick.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace pushback {
 /// x += h v and the turn of h w, as a free body moves. I^-1 stays behind until it is refreshed.
 void drift(Body& body, Real h);
 
-/// What HalfStep and ImpactCuts share: the state of a step that is divided into half steps. Functions that return false leave the reason
+/// The state of a step that is divided into half steps, for HalfStep and ImpactCuts. Functions that return false leave the reason
 /// in `failure`, and the caller restores the world.
 ///   Andersen, "Rattle", J. Comput. Phys. 1983; Hairer, Lubich, Wanner, Geometric Numerical Integration, VII.1.
 class KickDrift {
@@ -53,7 +53,7 @@ class KickDrift {
   void detect_contacts(World& world, Real h);
   /// Finds what may touch in a drift of h from where the bodies are.
   void look_ahead(World& world, Real h);
-  /// The margin of a drift of h: the distance by which two bodies may approach.
+  /// The margin of a drift of h, which is the distance by which two bodies may approach.
   static Margin margin(Real gravity, Real h);
   /// From forces, where the bodies are.
   Acceleration acceleration(const World& world, std::size_t body) const;
@@ -61,7 +61,7 @@ class KickDrift {
   bool spend(double work);
   Snapshot snapshot(const World& world) const;
   void restore(World& world, const Snapshot& snapshot);
-  /// An impact in a substep of h: rows of all normals, then two tangents of each contact, together with the joints. False if it cannot
+  /// An impact in a substep of h, with rows of all normals, then two tangents of each contact, and the joints. False if it cannot
   /// be solved.
   bool strike(World& world, const Contacts& at, Rows& rows, Real h);
 

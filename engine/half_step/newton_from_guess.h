@@ -35,12 +35,12 @@ class NewtonFromGuess {
   void add_normal(Row& row);
   /// The largest speed that a row is wrong by, m/s.
   double off();
-  /// Sweeps: each contact and row as if it were alone, l <- l - f.
+  /// Sweeps over each contact and row as if it were alone, l <- l - f.
   void sweep(int times);
   /// Goes on until no row is wrong by more than `enough`, m/s, and then as far as steps are cheap. False where it does not get there:
   /// rows and bodies are then as at the best point met. Where `just` is reached, it does not try hard.
   bool solve(World& world, double enough, double just = 0);
-  int factored = 0;  ///< matrices, since somebody set it to 0
+  int factored = 0;  ///< matrices, since the caller reset it to 0
   double near = 0;   ///< m/s: where no row is wrong by more, it needs little pull, and little is faster
   /// Multiplications, roughly, that are left to it. Once they are spent, it stops where it is.
   double work = std::numeric_limits<double>::infinity();

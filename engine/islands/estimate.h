@@ -1,4 +1,4 @@
-/// How far a step is off, from the same step in half as many substeps.
+/// The error of a step, estimated from the same step with half as many substeps.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace pushback {
 
-/// Runge's estimate. In n substeps of order p a step is off by c / n^p, in half as many by 2^p times that:
+/// Runge's estimate. With n substeps of order p, a step has the error c / n^p, and with half as many 2^p times that:
 ///
 ///   x_n/2 - x_n = (2^p - 1) c / n^p
 ///
@@ -20,8 +20,8 @@ inline Real parts_of_difference(int order) {
   return std::exp2(static_cast<Real>(order)) - 1;
 }
 
-/// What a step in n substeps is worth. `off`: its error in parts of what is allowed; `before`: the same of the try before, in half as
-/// many, infinite if there was none.
+/// The verdict on a step of n substeps. `off`: its error as a fraction of the allowed one; `before`: the same for the previous
+/// try with half as many, or infinity if there was none.
 enum class Worth { kept, more, no_better };
 
 inline Worth worth(Real off, Real before) {
@@ -29,28 +29,28 @@ inline Worth worth(Real off, Real before) {
   return off < before / 2 ? Worth::more : Worth::no_better;
 }
 
-/// Whether half as many will do: their error is 2^p times as large, and is to be below a half of what is allowed.
+/// Whether half as many are enough. Their error is 2^p times as large, and must be below half of the allowed error.
 inline bool fewer_will_do(Real off, int order) {
   return off * std::exp2(static_cast<Real>(order)) < Real(0.5);
 }
 
-/// What `off` becomes where all turns `times` as fast. The error of a step of order p is one of its (p + 1)th derivatives, and what turns
-/// w times as fast has them w^(p + 1) times as large. It tells when to look again.
+/// `off` if all motions were `times` as fast. The error of a step of order p is one of its (p + 1)th derivatives, and a rotation
+/// w times as fast has derivatives w^(p + 1) times as large. It decides when to check again.
 inline Real off_when(Real times, Real off, int order) {
   return off * std::pow(times, static_cast<Real>(order + 1));
 }
 
-/// m, at most: what comes to rest, or to roll, in a substep of h does so as the substep begins. It loses a t^2 / 2 of its way, t <= h: as
-/// much in a substep half as long, if that is not shorter than t. So two results agree, and both are off.
+/// m, at most: a body that comes to rest, or to roll, in a substep of h does so at its start. It loses a t^2 / 2 of its way,
+/// t <= h, and as much in a substep half as long, if this is not shorter than t. So two results agree although both are wrong.
 inline Real sticks_early(Real deceleration, Real h) {
   return deceleration * h * h / 2;
 }
 
-/// m: how far the bodies among `of` have sunk into what carries them, the deepest. A stack of N boxes on springs sinks by the sum of all
-/// its depths, and that is the error of its law. A body that several carry has sunk by the mean of what these have, and of the depths
-/// between, each by its part of the load:
+/// m: the largest depth to which the bodies of `of` have sunk into their supports. A stack of N boxes on springs sinks by the
+/// sum of its depths, and this is the error of its law. A body on several supports has sunk by the mean of their values plus the
+/// depths between, each weighted by its share of the load:
 ///
-///   s_b = sum of J (s_a + depth) / sum of J,   J: the impulse upwards from a, N s;   0 where nothing carries
+///   s_b = sum of J (s_a + depth) / sum of J,   J: the impulse upwards from a, N s;   0 without supports
 template <class Among>
 Real sunken(const World& world, const Among& among) {
   struct Carries {
@@ -68,7 +68,7 @@ Real sunken(const World& world, const Among& among) {
     all.push_back({below, above, std::abs(upwards), contact.depth});
     load[above] += std::abs(upwards);
   }
-  // From the bottom up: then one or two rounds are enough for a pile of any height.
+  // From the bottom up, one or two rounds are enough for a pile of any height.
   const auto lower = [&world](const Carries& p, const Carries& q) {
     const auto fallen = [&world](std::size_t body) { return world.bodies[body].position.dot(world.gravity); };
     const Real one = fallen(p.above), other = fallen(q.above);

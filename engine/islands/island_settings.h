@@ -22,7 +22,7 @@ struct IslandSettings {
   Real energy = Real(1e-5);   ///< the energy error of a step that is allowed, as a fraction of T + m (h g)^2 / 2
   int most_half_steps = 128;  ///< of joints in a step
 
-  /// m: the position error after one second that is allowed. Infinite: only the energy is checked.
+  /// m: the allowed position error after one second. If it is infinite, only the energy is checked.
   Real error = std::numeric_limits<Real>::infinity();
   int most_substeps = 128;  ///< in a step, with `error`
   int check_every = 4;      ///< steps: with `error`, how often a step is taken twice if nothing changes

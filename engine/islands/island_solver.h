@@ -1,7 +1,7 @@
 /// Each island of a world by the step that fits it.
 ///
 ///   IslandSolver solver;
-///   solver.error = 1e-3;  // m; without it only the energy is checked
+///   solver.error = 1e-3;  // m. Without it only the energy is checked
 ///   world.step(solver, 1.0 / 60);
 #pragma once
 
@@ -16,7 +16,7 @@ namespace pushback {
 /// Islands are solved independently, each by the cheapest step that is accurate enough. StepClassifier chooses:
 ///
 ///   flight       v += h/2 g,  x += h v,  v += h/2 g: the parabola itself
-///   half steps   contacts as `contact_half_step` says; joints as `joint_half_step` says, with contacts or without
+///   half steps   contacts by `contact_half_step`, and joints by `joint_half_step`, with contacts or without
 ///   substeps     `substep_solver`
 ///
 /// A step runs through these stages, which docs/engine.md draws:
@@ -33,7 +33,7 @@ class IslandSolver : public ForwardingSolver, public IslandSettings {
  public:
   WideSolver<Real> substep_solver;
 
-  /// Throws as World::step does; nothing has changed then.
+  /// Throws as World::step does, before anything has changed.
   void whole_step(World& world, Real dt, int sweeps) override;
   /// Call by call: `substep_solver` only.
   void solve(World& world, Real h, int sweeps) override;
@@ -41,7 +41,7 @@ class IslandSolver : public ForwardingSolver, public IslandSettings {
   SolveStats stats() const override { return call_by_call_ ? inner().stats() : solved_; }
 
   // ---- of the latest step ---------------------------------------------------------------------------------------------
-  /// How a body was moved: none for a body that the step did not know.
+  /// The way in which a body was moved, or none for a body that the step did not contain.
   StepType step_of(int body) const { return classifier_.step_of(body); }
   /// The half steps of its island; 0 for a body that was moved otherwise.
   int half_steps_of(int body);

@@ -14,7 +14,7 @@ class IslandWorld {
   World world;
   HalfStep half_step;
   bool impact = false;  ///< bodies may meet in this step, so it is cut where they do
-  bool fourth = false;  ///< the island gets steps of fourth order: it has joints, and no contacts
+  bool fourth = false;  ///< the island gets steps of fourth order, because it has joints but no contacts
   bool held = false;    ///< half steps have moved it
 
   /// Sets what `half_step` does, after a change of the above.

@@ -18,7 +18,7 @@ struct SubstepPass {
 class RemainingBodies {
  public:
   /// Moves immovable bodies, and all that `classifier` leaves to substeps, by dt. Bodies that get another step stand still meanwhile, and
-  /// their joints are not there. `found`: the contacts of this step, which are used up. Faster spins get more detections. Throws
+  /// their joints are left out. `found`: the contacts of this step, which are used up. Faster spins get more detections. Throws
   /// InvalidInput as World::step does.
   SolveStats step(World& world, const StepClassifier& classifier, Contacts& found, const SubstepPass& pass);
 

@@ -1,8 +1,8 @@
-/// Questions about a scene, each answered with a reason: which effects it needs, and which step each of its islands gets.
+/// Questions about a scene and their answers with reasons: which effects it needs, and which step each of its islands gets.
 ///
 /// The question for an effect is a type, so that code can be selected by the answers at compile time. To add an effect, add its question
-/// here or in its own header, and one word to AllQuestions. `only_if`: another question, earlier in AllQuestions; unless its answer is yes,
-/// the answer is no.
+/// here or in its own header, and one word to AllQuestions. `only_if`: another question, earlier in AllQuestions. If the answer
+/// to it is no, this answer is no.
 #pragma once
 
 #include <string>
@@ -81,10 +81,10 @@ inline std::vector<NamedAnswer> effects_of(const World& world) {
 
 // ---- which step ----------------------------------------------------------------------------------------------------------
 
-/// A line of the second table: the islands that get the same step for the same reason.
+/// A line of the second table, for the islands that get the same step for the same reason.
 struct StepAnswer {
   StepType step;
-  std::string because;  ///< text for users; counts are those of each island
+  std::string because;  ///< text for users, with counts for each island
   int islands;
   std::vector<int> bodies;  ///< of all these islands, ascending
 };

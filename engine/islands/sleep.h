@@ -1,4 +1,4 @@
-/// Bodies that rest are not simulated.
+/// Resting bodies are not simulated.
 #pragma once
 
 #include <map>
@@ -9,37 +9,37 @@
 
 namespace pushback {
 
-/// Who is awake. An island in which no body has left its place for a while falls asleep: its velocities become 0, and its
-/// contacts are kept for the day on which it wakes. It wakes as a whole when
+/// Keeps track of sleeping bodies. An island falls asleep if none of its bodies has moved for a while. Its velocities become 0,
+/// and its contacts are stored until it wakes. It wakes as a whole if
 ///
-///   - a body that is awake, or an immovable one that has a velocity, comes to touch it;
-///   - a spring or another Force pulls at it otherwise than when it fell asleep;
-///   - it is joined to something that moves all the same, or by a joint that is driven;
-///   - one of its bodies is given a velocity, a force or another place by hand;
-///   - what it touches is moved by hand, or removed;
-///   - gravity changes, or forces or joints are added or taken away: then all wake;
-///   - it is told to: whoever changes anything else of a sleeping body, its mass or its groups, has to call `wake`.
+///   - a body that is awake, or an immovable one that has a velocity, starts to touch it;
+///   - a spring or another Force differs from the one when it fell asleep;
+///   - it is joined to an immovable body that moves, or by a driven joint;
+///   - the caller gives one of its bodies a velocity, a force or another position;
+///   - the caller moves or removes a body that it touches;
+///   - gravity changes, or forces or joints are added or removed, and then all islands wake;
+///   - the caller calls `wake`, which is required after any other change of a sleeping body, such as its mass or its groups.
 ///
-/// Where a Force acts on all bodies alike, none sleeps: nobody knows what it will do next.
+/// If a Force acts on all bodies together, none sleeps, because its next values are unknown.
 class Sleep {
  public:
   Real time_to_sleep = Real(0.5);  ///< for how long a body has to keep its place
   Real rest_distance = Real(
-      0.25e-3);  ///< m: so far may its surface get from where it was; slower thanrest_distance / time_to_sleep is rest
+      0.25e-3);  ///< m: the most that its surface may move at rest; slower than rest_distance / time_to_sleep is rest
 
-  // ---- who takes part in a step: see World::step ---------------------------------------------------------------------
+  // ---- the bodies that take part in a step: see World::step --------------------------------------------------------
 
-  /// What is new in the world since the latest step. Throws as World::step does; nothing has moved then.
+  /// Finds changes in the world since the latest step. Throws as World::step does, before anything has moved.
   void check(World& world);
-  /// With the applied forces on the bodies: wakes whom they, joints or others touch, and finds the contacts of those awake.
-  /// What the woken carried when they fell asleep counts as of the step before.
+  /// With applied forces on the bodies: wakes bodies that these, joints or others touch, and finds contacts of awake bodies.
+  /// Impulses from before a body fell asleep count as impulses of the previous step.
   void find_contacts(World& world, const Margin& margin = {});
-  /// Who is simulated in this step, in ascending order: movable and awake, or moving all the same.
+  /// The bodies simulated in this step, in ascending order: movable and awake, or immovable but moving.
   template <class Act>
   void each(World& world, const Act& act) const {
     for (const int i : simulated_) act(world.bodies[std::size_t(i)]);
   }
-  /// Who rests falls asleep.
+  /// Puts resting bodies to sleep.
   void end(World& world, Real dt);
 
   /// The island of this body, with all others that touch the body, or are joined to it, if it is immovable.

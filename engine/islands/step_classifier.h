@@ -23,9 +23,9 @@ enum class StepReason : std::uint8_t {
   // flight
   no_contact,  ///< nothing touches or holds the body
   // half steps
-  rigid_joints,      ///< joints that form a tree, and no pair of bodies is near
+  rigid_joints,      ///< joints form a tree, without any pair of bodies nearby
   few_contacts,      ///< with such joints or without
-  resting_contacts,  ///< many, but none is an impact, and no body turns fast
+  resting_contacts,  ///< many contacts, but without impacts and fast rotations
   single_contacts,   ///< many, but the bodies meet in one point each, such as balls
   // substeps, because of what an island contains
   applied_force,        ///< a Force may act
@@ -39,7 +39,7 @@ enum class StepReason : std::uint8_t {
   impact,               ///< many contacts, of which one is an impact
   fast_turn,            ///< many contacts, and a body turns fast
   // substeps, because of half steps that were or would be tried
-  no_savings,    ///< many contacts, and no savings to pay for half steps
+  no_savings,    ///< many contacts, but not enough savings to pay for half steps
   failed,        ///< half steps failed in this step
   failed_before  ///< and in an earlier step; they are not tried again yet
 };
@@ -58,7 +58,7 @@ struct ClassifierLimits {
   int most_meeting = 40;    ///< contacts of bodies that meet in one point each, such as balls, which part at once
 };
 
-/// m: how far the tips of a body may get in dt as it turns.
+/// m: the distance by which the tips of a body may move in dt due to its rotation.
 Real way_of_tips(const Body& body, Real dt);
 
 /// Bodies that may touch in this step, or are joined, form an island (chapter 20). Its contents give the StepReason, and the reason the step.

@@ -1,4 +1,4 @@
-/// Bodies that stay where they are, arranged once: those near a moving one are found without asking them all.
+/// A search tree of bodies that stay in place. It finds the ones near a moving body without a test of each.
 #pragma once
 
 #include <span>
@@ -8,15 +8,15 @@
 
 namespace pushback {
 
-/// A tree: the bounds of a fork hold those of both its branches. Where they are not near, nothing below is asked.
+/// A tree of bounds. The bounds of a fork contain the bounds of both branches. If they are not near, its branches are skipped.
 class StillBodies {
  public:
   StillBodies() = default;
-  /// Those with the indices `which`, none twice, as they are now: what moves later has to be arranged anew.
-  /// No half-spaces: their bounds are infinite, so near everything. near_pairs() asks about planes themselves.
+  /// Arranges the bodies with the indices `which`, none twice, at their present positions. If one moves later, call this again.
+  /// Half-spaces are excluded, because their infinite bounds are near everything. near_pairs() checks planes itself.
   StillBodies(const std::vector<Body>& bodies, std::span<const int> which);
 
-  /// Appends the index of every one whose bounds overlap these, in ascending order, after whatever `found` holds.
+  /// Appends the index of every body whose bounds overlap these, in ascending order, after the present content of `found`.
   void near(const Bounds& bounds, std::vector<int>& found) const;
 
  private:

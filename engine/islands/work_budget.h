@@ -11,7 +11,7 @@ namespace pushback {
 /// less, the rest is saved. After a failure, the next try needs twice the savings.
 ///
 /// So an island takes at most 1 + `fraction` times as long as by substeps only, apart from its savings `at_first`. This is the ski rental
-/// problem: to rent or to buy without knowing how often there will be snow.
+/// problem of renting or buying without knowing how often there will be snow.
 ///   Karlin, Manasse, Rudolph, Sleator, Competitive snoopy caching, Algorithmica 1988.
 struct WorkBudgetSettings {
   double per_contact = 4000;  ///< multiplications: the work of 32 substeps in a step, per contact

@@ -36,7 +36,7 @@ class WorkBudgets {
       if (body.movable()) by_body_[std::size_t(body.index)] = of(classifier.island_of(body.index)).share();
   }
   WorkBudget& of(int island) { return by_island_[std::size_t(island)]; }
-  /// Multiplications: the work of substeps in a step.
+  /// Multiplications, which are the work of substeps in a step.
   static double price(int island, const StepClassifier& classifier, const WorkBudgetSettings& settings) {
     return settings.per_contact * classifier.contacts(island);
   }

@@ -1,4 +1,4 @@
-/// The data of the wide solver: contacts of eight pairs of bodies next to each other, in plain arrays. Files that are compiled
+/// The data of the wide solver, with contacts of eight pairs of bodies side by side in plain arrays. Files that are compiled
 /// for different processors share these types.
 ///
 /// This header defines no functions. The linker would keep one copy of each, which might use instructions that the processor
@@ -57,7 +57,7 @@ struct Bundle {
   EightNumbers<Real> face_a, face_b, cores;  ///< one of them is 1, see NormalSource; all are 0 for NormalSource::none
   EightNumbers<Real> radius_a, radius_b;     ///< m, from the core to the surface with its skin
   EightNumbers<Real> reach_a, reach_b;       ///< m, the longest arm
-  /// m: the displacement of B minus that of A from detection to the latest rebuild of the rows.
+  /// m: the displacement of B minus the displacement of A from detection to the latest rebuild of the rows.
   EightVectors<Real> rebuilt_displacement;
   EightVectors<Real> rebuilt_turn_a, rebuilt_turn_b;  ///< rad: the turn of each body in the same time
   /// m^2: the rows are rebuilt once the pair has moved or turned by this distance since.
@@ -65,7 +65,7 @@ struct Bundle {
   int first, end;  ///< its contacts in the list of all: as many as the pair with the most points has
 };
 
-/// v, m/s, and w, rad/s, of a body; or its displacement, m, and its turn, rad. The last two numbers are padding.
+/// v, m/s, and w, rad/s, of a body, or its displacement, m, and its rotation, rad. The last two numbers are padding.
 template <class Real>
 struct alignas(8 * sizeof(Real)) Twist {
   Real values[8];

@@ -8,8 +8,8 @@
 
 namespace pushback {
 
-/// Of each body, whether it floats: it is movable, and no body of its island (chapter 20) touches an immovable body or is
-/// joined to one. The angular momentum of such an island has to be kept. `pairs`: all pairs that touch.
+/// For each body, whether it floats. A floating body is movable, and its island (chapter 20) neither touches an immovable body
+/// nor is joined to one. The angular momentum of such an island must be conserved. `pairs`: all pairs that touch.
 inline std::vector<bool> floating_bodies(const std::vector<TouchingPair>& pairs, const World& world) {
   std::vector<int> all(world.bodies.size());
   std::iota(all.begin(), all.end(), 0);

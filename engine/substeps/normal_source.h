@@ -10,7 +10,7 @@
 
 namespace pushback {
 
-/// face_a, face_b: the normal is that of a face and turns with its body, and the contact is a point of the other body. cores:
+/// face_a, face_b: the normal belongs to a face and rotates with its body, and the contact is a point of the other body. cores:
 /// the normal points from one round body's core to the other's. none: two edges cross. Then the normal stays as detected, as in
 /// chapter 21.
 enum class NormalSource { none, face_a, face_b, cores };

@@ -1,4 +1,4 @@
-/// Graph colouring: which pairs of bodies can be solved at the same time.
+/// Graph colouring finds the pairs of bodies that can be solved at the same time.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-/// The passes over contacts: those of chapter 21, for several pairs at a time.
+/// The passes over contacts of chapter 21, for several pairs at a time.
 ///
 /// In an anonymous namespace, as lanes.h.
 #pragma once

@@ -111,7 +111,7 @@ template <class Lanes>
 struct Riding {
   typename Lanes::mask_type face_a, face_b;  // n turns with A, with B. In other lanes it points from core to core
   Orientation<Lanes> turn_a, turn_b;
-  Vec<Lanes> way, found_n;  // displacement of B minus that of A; n as detected
+  Vec<Lanes> way, found_n;  // displacement of B minus displacement of A; n as detected
   Lanes radius_a, radius_b;
 
   /// As detected: the arms to both surfaces and to both cores, and the gap.
@@ -205,7 +205,7 @@ void ride(const BundleRange<Real>& all, Bundle<Real>& bundle, const typename Lan
 
 // ---- the pass -------------------------------------------------------------------------------------------------------------
 
-/// After the bodies have moved: rebuilds the rows of pairs that have moved past each other, or turned, far enough.
+/// Called after the bodies have moved. Rebuilds the rows of pairs that have moved past each other, or rotated, far enough.
 template <class Lanes, class Real>
 void rebuild_rows(const BundleRange<Real>& all) {
   each_bundle<Lanes>(all, [&](Bundle<Real>& bundle, int at) {

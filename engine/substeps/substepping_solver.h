@@ -39,7 +39,7 @@ inline Vec3 clamped_to_cone(const Vec3& impulse, const Vec3& n, Real friction) {
   return pressed * n + (size > friction * pressed ? friction * pressed / size : 1) * rubbed;
 }
 
-/// The settings and the plan of a solver that divides its steps: one sweep per substep. Contacts are detected within a margin,
+/// The settings and plan of a solver that divides its steps, with one sweep per substep. Contacts are detected within a margin,
 /// so that bodies that touch later in the step have rows.
 struct SubsteppingSolver : StepSolver {
   /// The substeps of a step of `reference_step`, s. A longer step has more and a shorter one fewer, so contacts are equally
@@ -107,8 +107,8 @@ struct SubsteppingSolver : StepSolver {
     }
   }
   /// `pass()` solves all normals once and returns the largest change of a speed, m/s. It is called once, and then again up to
-  /// `most_rounds` times: in a substep with a bounce until `precision` is reached, as in chapter 09, otherwise while the change
-  /// is above `recheck_speed` and does not grow.
+  /// `most_rounds` times. In a substep with a bounce it repeats until `precision` is reached, as in chapter 09, otherwise while the
+  /// change is above `recheck_speed` and does not grow.
   template <class Pass>
   void solve_normals_until_solved(const Pass& pass) const {
     Real change = pass();

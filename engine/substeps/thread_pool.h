@@ -49,7 +49,7 @@ class ThreadPool : public Workers {
   std::atomic<bool> ending_ = false;
   std::atomic_flag busy_;
 
-  // Of this round. A thread may read these while it runs a part, because the round ends later.
+  // The data of this round. A thread may read these while it runs a part, because the round ends later.
   const std::function<void(std::size_t)>* act_ = nullptr;
   std::fenv_t mode_{};
 

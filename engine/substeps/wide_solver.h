@@ -17,7 +17,7 @@ namespace pushback {
 template <class Scalar>
 Passes<Scalar> passes_of_this_processor(int lanes = 0);
 
-/// Rows and impulses are of the type Scalar, positions are Real. Defined for float and double.
+/// Rows and impulses have the type Scalar, positions have the type Real. Defined for float and double.
 ///
 /// If a contact normal turns with a face, or points from one round body to another, then n, both arms and C follow the bodies:
 /// see NormalSource. Rows are rebuilt once a pair has moved far enough. For islands that touch nothing immovable they are
@@ -81,7 +81,7 @@ class WideSolver : public SubsteppingSolver {
   std::vector<Twist<Scalar>> velocities_, velocities_before_, displacements_, impulse_velocities_;  // of packed_.bodies
   std::vector<Inertia<Scalar>> inertias_;                                                           // of the same
   std::vector<EightVectors<Scalar>> start_impulses_;  // of packed_.contacts
-  std::vector<Scalar> largest_;                       // of each part of a pass: what it returned
+  std::vector<Scalar> largest_;                       // the returned value of each part of a pass
   std::optional<SolveStats> measured_;                // before the impulses of an impact were forgotten
   bool bouncy_ = false;                               // whether any contact is
   bool something_floats_ = false;                     // whether any body that touches does

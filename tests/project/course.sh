@@ -60,19 +60,19 @@ course hard-cases --peers --quick && refused "one of the two"
 for many in 0 1 1000 x ""; do
   course fuzz --shards "$many" && refused "--shards is '$many': a number of parts, from 2 to 999, is needed"
 done
-course fuzz --shards 2 -- --seed=3 && refused "divide and join by themselves: no --seed=3"
+course fuzz --shards 2 -- --seed=3 && refused "split and join the work themselves: --seed=3 is not allowed"
 course render --slurm && refused "unknown option '--slurm'"
-course clean --all && refused "unknown option '--all'" && expect_not "handed on"
+course clean --all && refused "unknown option '--all'" && expect_not "to pass on"
 course run solve --preset relase a.dat && refused "unknown preset 'relase'" "the presets are: release debug sanitize tidy threads ci clang odr"
 course clean up && refused "'clean' takes no words"
-course clean -- up && refused "'clean' hands no options on"
-course --yes && refused "which command?"
+course clean -- up && refused "'clean' does not pass options on"
+course --yes && refused "a command is needed"
 course book --yes -- --bogus && refused "unknown option '--bogus'" "--address URL, --repository URL"
 course book --yes -- --address ftp://x && refused "--address is 'ftp://x'" "https://"
 
 # A checkout in which nothing can be written.
 mv "$scratch/home/build" "$scratch/home/built" && touch "$scratch/home/build"
-course render && expect 2 "nothing can be written into $scratch/home" "git clone $scratch/home pushback" && expect_not "cmake"
+course render && expect 2 "$scratch/home is not writable" "git clone $scratch/home pushback" && expect_not "cmake"
 rm "$scratch/home/build" && mv "$scratch/home/built" "$scratch/home/build"
 
 # Drawing is a part of the build: CMake and Ninja themselves, here with programs in the place of chapters.
@@ -109,7 +109,7 @@ course render 03 && expect 0 "numbers of 03_three" "0 of 1 drawn in " && expect_
 course render 3 four chapters/10_ten/ && expect 0 "0 of 3 drawn in " "renders/04_four/sheet.png"
 # One that fails is named, with what it said, and is drawn again the next time.
 chapter 04_four 'echo "04_four: no such speed" >&2; exit 2'
-course render && expect 1 "FAILED: drawn/04_four" "04_four: no such speed" "what went wrong stands above" && expect_not "drawn in"
+course render && expect 1 "FAILED: drawn/04_four" "04_four: no such speed" "the error is shown above" && expect_not "drawn in"
 chapter 04_four
 course render && expect 0 "1 of 3 drawn in "
 
@@ -168,7 +168,7 @@ course test 04 && expect_not "packages"
 export ABSENT=libfmt-dev
 stand_in id 'echo 1000'
 command="apt-get update && apt-get install --no-install-recommends libfmt-dev"
-course render 03 --yes && expect 1 "only root may install packages, and sudo does not help here" "$command"
+course render 03 --yes && expect 1 "only root may install packages, and sudo does not work here" "$command"
 stand_in sudo '[ "$1" = -n ] && shift && exec "$@"'
 course render 03 --yes && expect 0 "packages installed"
 stand_in apt-get 'echo "E: no network"; exit 100'

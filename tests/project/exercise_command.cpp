@@ -48,11 +48,11 @@ TEST_CASE("the way of a student: the file, the gap, hints, a wrong answer, the r
   student.write("std::puts(\"here\"); " + wrong_lines);
   const Ended wrong = student.call("04 --seed 5");
   CHECK(wrong.status == 1);
-  CHECK(contains(wrong.out, "  ✓ what would pass the surface in this step ends on it\n"));
+  CHECK(contains(wrong.out, "  ✓ a body that would pass through the surface in this step ends on it\n"));
   CHECK(contains(wrong.out,
-                 "  ✗ what overlaps stays where it is up to the slop, and comes up at β (d − slop) / h beyond\n"));
+                 "  ✗ an overlap up to the slop stays, and a deeper body comes up at β (d − slop) / h\n"));
   CHECK(contains(wrong.out, "  | here\n"));
-  CHECK(contains(wrong.out, "Your ball, which is less deep than the slop and sinking, moves on with "));
+  CHECK(contains(wrong.out, "Your ball, which is sinking but less deep than the slop, continues at "));
   CHECK(contains(wrong.out, slop().checks[2].hint));
   CHECK(student.call("04 --seed 5").out == wrong.out);
   CHECK(contains(student.call("").out, "04           begun"));

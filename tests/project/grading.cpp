@@ -55,7 +55,7 @@ TEST_CASE("a class is graded: a table, JSON and JUnit XML, and again, only what 
   const std::string xml = text_of(all.scratch / "out/results.xml");
   CHECK(contains(xml, "<testsuite name=\"anna\" tests=\"4\" failures=\"0\">"));
   CHECK(contains(xml, "<testsuite name=\"ben &amp; co\" tests=\"4\" failures=\"1\">"));
-  CHECK(contains(xml, "<failure message=\"your ball, which is more than a metre deep, leaves with"));
+  CHECK(contains(xml, "<failure message=\"your ball, which is more than a metre deep, leaves at"));
   const Ended second = all.grade("");
   CHECK(second.err.empty());
   CHECK(second.out == first.out);
@@ -238,7 +238,7 @@ TEST_CASE("of a folder, files at most two folders deep are taken: no links, noth
         "linked      0 of 6  03 0/6 (not handed in)\n", "large       0 of 6  03 0/6 (not handed in)\n",
         "-rf         0 of 6  03 0/6 (not handed in)\n"})
     CHECK(contains(ended.out, line));
-  CHECK(contains(text_of(all.scratch / "out/results.json"), "is not taken: there are 2 files 03_baumgarte.h in it."));
+  CHECK(contains(text_of(all.scratch / "out/results.json"), "is not accepted: there are 2 files 03_baumgarte.h in it."));
   CHECK(contains(ended.err, "points.txt' is no folder, and no archive"));
   const Ended alone = call_program(
       GRADE_PROGRAM, (all.scratch / "points.txt").string() + " --no-sandbox --out " + (all.scratch / "none").string());

@@ -99,7 +99,7 @@ class HostileClass {
     REQUIRE(mkfifo((make("class/a pipe") / file).c_str(), 0600) == 0);
     make("class/a folder/" + file);
     for (const std::string name : {"a link", "a pipe", "a folder"}) {
-      due_.push_back({name, 0, "not handed in", "there is no file", "", ""});
+      due_.push_back({name, 0, "not handed in", "there is no regular file", "", ""});
       names_.push_back("class/" + name);
     }
     write_text_file(folder_ / "class/stray.txt", "");

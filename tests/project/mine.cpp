@@ -117,7 +117,7 @@ TEST_CASE("a solver of one's own: the same with more seeds", "[long]") {
 TEST_CASE("a mistake of an earlier chapter is told in the solver of a later one") {
   const Scratch folder;
   const VerdictOfMine lost = verdict_of_mine(8, edited(8, "normal.lo = 0;", ""), folder / "", 1);
-  CHECK(contains(lost.sentence(), "You get these numbers if what chapter 02 adds is missing."));
+  CHECK(contains(lost.sentence(), "You get these numbers if the addition of chapter 02 is missing."));
   const VerdictOfMine slip =
       verdict_of_mine(8, edited(8, "beta / dt * separation", "beta * separation"), folder / "", 1);
   CHECK(contains(slip.sentence(), "You get these numbers if 1/h is forgotten."));
@@ -256,7 +256,7 @@ TEST_CASE("error against time: a curve of a reader's solver, or a line that says
   reader.write(solver_that("throw std::runtime_error(\"I give up\");"));
   const Ended wrong = reader.call("study rolling");
   CHECK(wrong.status == 1);
-  CHECK(wrong.err == "there are no diagrams: I give up\n");
+  CHECK(wrong.err == "no diagrams were made: I give up\n");
   CHECK_FALSE(fs::exists(reader.folder / "study"));
   reader.write(plain_loop(8));
   CHECK(reader.call("study rolling").status == 0);

@@ -43,9 +43,9 @@ says "It does not compile. Line "
 least='const Real least = -force * h / static_cast<Real>(rows.size());'
 gap "$least"' for (Row\& row : rows) { const Real lambda = std::max(least, -row.effective_mass * (row.speed() + row.bias)); row.impulse += lambda; row.apply(lambda); }'
 no_verdict
-says "02           begun" && [[ ${output##*begun} == *"The sum of all corrections"* ]] || wrong "the verdict is not the last" "$output"
+says "02           begun" && [[ ${output##*begun} == *"The accumulated impulse is at least"* ]] || wrong "the verdict is not the last" "$output"
 [[ $(grep -c begun <<<"$output") == 1 ]] || wrong "untouched files are begun" "$output"
-says "The sum of all corrections is at least -F h, not each of them." && says "One hint more: pushback-exercise 02 --hint"
+says "The accumulated impulse is at least -F h." && says "For another hint: pushback-exercise 02 --hint"
 gap "$least"' for (Row\& row : rows) { const Real sum = std::max(least, row.impulse - row.effective_mass * (row.speed() + row.bias)); row.apply(sum - row.impulse); row.impulse = sum; }'
 verdict
 says "Solved."

@@ -102,7 +102,7 @@ TEST_CASE("what is wrong with a folder of tasks is said") {
   fs::create_directories(tasks.scratch / "empty");
   refused(tasks.scratch / "empty", "has no exercises");
   fs::rename(tasks.brake, tasks.scratch / "tasks/03_baumgarte");
-  refused(tasks.folder, "there is an exercise named 03_baumgarte already");
+  refused(tasks.folder, "an exercise named 03_baumgarte already exists");
   fs::rename(tasks.scratch / "tasks/03_baumgarte", tasks.brake);
   write_text_file(tasks.brake / "checks.cpp", text_of(tasks.brake / "checks.cpp") + "int main( {\n");
   refused(tasks.folder, "brake does not compile:");

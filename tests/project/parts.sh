@@ -141,7 +141,7 @@ asked 2 "--partition short --time 60 --dependency afterok:1 --kill-on-invalid-de
 echo "1_2 all pushback" >"$scratch/queue"
 course "${table[@]}" --shards 4 --slurm "${table_options[@]}"
 ((status == 1)) || wrong "exit status $status while jobs are under way"
-says "jobs 1,2 are under way"
+says "jobs 1,2 are still running"
 : >"$scratch/queue"
 SLURM_ARRAY_TASK_ID=3 bash "$folder/part.sh" >/dev/null
 bash "$folder/part.sh" 1 >/dev/null

@@ -71,23 +71,22 @@ Problem problem_of(const Ended& ended, double seconds, const std::string& where,
   const auto by_signal = [&](int signal) { return ended.signal == signal || ended.status == 128 + signal; };
   if (ended.out_of_time || ((by_signal(SIGXCPU) || by_signal(SIGKILL)) && seconds >= limits.seconds))
     return {"time", fmt::format("{}, your program had no answer after {} s of processor time, or {} s by the clock. "
-                                "Look for a loop that never ends.",
+                                "Look for an endless loop.",
                                 where, limits.seconds, AttemptLimits::patience * limits.seconds)};
   if (by_signal(SIGABRT))
     return {"crash",
-            fmt::format("{}, your program stopped itself{}.", where, last_printed.empty() ? "" : ": " + last_printed)};
-  if (by_signal(SIGFPE)) return {"crash", where + ", your program divided a whole number by 0."};
+            fmt::format("{}, your program aborted{}.", where, last_printed.empty() ? "" : ": " + last_printed)};
+  if (by_signal(SIGFPE)) return {"crash", where + ", your program divided an integer by 0."};
   if (by_signal(SIGXFSZ))
-    return {"files", where + ", your program wrote more than 64 MB. Look for a line that prints, in a loop."};
+    return {"files", where + ", your program wrote more than 64 MB. Look for a loop that prints."};
   for (const int signal : {SIGALRM, SIGHUP, SIGINT, SIGKILL, SIGPIPE, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2, SIGXCPU})
     if (by_signal(signal)) return {"crash", fmt::format("{}, your program was ended by the signal {}.", where, signal)};
   if (ended.status < 0 || ended.status > 128)
-    return {"crash",
-            where +
-                ", your program used memory that is not its own, and was stopped. Look for an index that is past the "
-                "end of a list, a pointer to nothing, or a function that calls itself without an end."};
-  return {"exit", fmt::format("{}, your program ended by itself, with the status {}, before it had answered. A "
-                              "solution gives numbers back; it does not end the program.",
+    return {"crash", where +
+                         ", your program accessed memory that is not its own, and was stopped. Look for an index past "
+                         "the end of a list, a null pointer, or an endless recursion."};
+  return {"exit", fmt::format("{}, your program exited with the status {} before it had answered. A solution returns "
+                              "numbers and does not exit.",
                               where, ended.status)};
 }
 
@@ -131,7 +130,7 @@ std::string first_error(const std::string& messages, const fs::path& students_fi
 /// Why there is no program.
 std::string built_not(const Ended& ended, const fs::path& own, const AttemptLimits& limits) {
   if (ended.out_of_time || ended.err.find("CPU time limit exceeded") != std::string::npos)
-    return fmt::format("the compiler was not done after {} s of processor time, or {} s by the clock.",
+    return fmt::format("the compiler did not finish after {} s of processor time, or {} s by the clock.",
                        limits.compile_seconds, AttemptLimits::patience * limits.compile_seconds);
   return shortened(first_error(shortened(ended.err, 100'000), own), 1000);
 }
@@ -213,8 +212,8 @@ Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t se
                                 : fmt::format("in the check '{}'", exercise.checks[outcome.numbers.size() - 1].says);
   if (outcome.kind == "memory") {
     outcome.problem =
-        fmt::format("{}, your program asked for more than {} MB of memory. Look for a list that grows and grows.",
-                    where, limits.megabytes);
+        fmt::format("{}, your program asked for more than {} MB of memory. Look for a list that keeps growing.", where,
+                    limits.megabytes);
   } else if (!outcome.kind.empty()) {
     outcome.problem = fmt::format("{}, your program threw an exception: {}.", where, outcome.kind.substr(10));
     outcome.kind = "exception";

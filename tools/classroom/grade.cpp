@@ -57,12 +57,11 @@ Json graded(const Grading& grading, const Exercise& exercise, const HandedIn& ha
     verdict.checks.assign(exercise.checks.size(), Passed::not_reached);
   };
   if (!handed_in.problem().empty()) {
-    not_graded("not taken", fmt::format("what was handed in is not taken: {}.", handed_in.problem()));
+    not_graded("not taken", fmt::format("the submission is not accepted: {}.", handed_in.problem()));
   } else if (!file) {
-    not_graded("not handed in",
-               fmt::format("there is no file {}, of less than 1 MB, that is no link.", file_of(exercise)));
+    not_graded("not handed in", fmt::format("there is no regular file {} of less than 1 MB.", file_of(exercise)));
   } else if (!exercise.whole() && untouched(read_text_file(*file), read_text_file(stub_of(exercise)))) {
-    not_graded("nothing written", "the gap is as it was.");
+    not_graded("nothing written", "the gap is unchanged.");
   } else {
     Exercise own = exercise;
     if (exercise.whole()) own.folder = file->parent_path().string();  // with the headers beside it
@@ -194,7 +193,7 @@ std::uint64_t kept_seed(const Grading& grading) {
 }  // namespace
 
 std::string points_text(const std::vector<const Exercise*>& exercises) {
-  std::string text = "# Points of each check: exercise, number of the check, points. What follows # is for you.\n";
+  std::string text = "# Points of each check: exercise, number of the check, points. Text after # is a note for you.\n";
   for (const Exercise* exercise : exercises)
     for (std::size_t i = 0; i < exercise->checks.size(); ++i)
       if (!exercise->whole() || exercise->checks[i].points > 0)

@@ -153,7 +153,7 @@ void HandedIn::take(const fs::path& folder, const std::vector<const Exercise*>& 
       const bool beside = exercise->whole() && file.extension() == ".h" && file.parent_path() == found.parent_path();
       if (file != found && !beside) continue;
       if (++headers > most_headers + 1)
-        throw Unreadable{fmt::format("more than {} headers are next to solver.h", most_headers)};
+        throw Unreadable{fmt::format("there are more than {} headers next to solver.h", most_headers)};
       write_text_file(to / file.filename(), read_text_file(folder / file));
     }
   }

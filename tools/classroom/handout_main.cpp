@@ -17,14 +17,13 @@ int main(int argc, char** argv) {
   std::vector<std::string> with, without;
   std::string mine;
   CommandLine line(
-      "Writes tasks and files with gaps into a folder, and the points of each check; no answers, no checks.",
+      "Writes tasks, files with gaps, and the points of each check into a folder, without answers and checks.",
       "./course run handout");
   line.option("FOLDER", folder, "A new folder").required();
-  line.option("--with", with, "02,03,15-transfer: these; all by default").split_at_commas();
-  line.option("--without", without, "04: all but these").split_at_commas();
-  line.option("--mine", mine,
-              "06: the points of a solver of the student's own, up to this chapter, for files mine/solver.h");
-  line.option("--tasks", tasks, "A folder with exercises of your own, a folder each: docs/teaching.md");
+  line.option("--with", with, "02,03,15-transfer: only these; all by default").split_at_commas();
+  line.option("--without", without, "04: all except these").split_at_commas();
+  line.option("--mine", mine, "06: also write the points for a student's own solver mine/solver.h, up to this chapter");
+  line.option("--tasks", tasks, "A folder with exercises of your own, a folder each (docs/teaching.md)");
   return line.run(argc, argv, [&] {
     const std::vector<Exercise> all = exercises_with(tasks);
     std::vector<const Exercise*> exercises = chosen(all, with, without);
@@ -34,7 +33,7 @@ int main(int argc, char** argv) {
     if (whole) exercises.push_back(&*whole);
     const fs::path points = fs::absolute(folder / "").parent_path().string() + ".points";
     write_text_file(points, points_text(exercises));
-    fmt::print("{}: {} exercises{}. The points, for you and ./course grade --points: {}\n", folder.string(),
+    fmt::print("{}: {} exercises{}. The points for you and for ./course grade --points are in {}\n", folder.string(),
                exercises.size() - (whole ? 1 : 0), whole ? " and a solver of one's own" : "",
                fs::proximate(points).string());
   });

@@ -62,10 +62,9 @@ std::string in_words(Real value, const Quantity& quantity, int digits_shown) {
 }
 
 constexpr const char* nothing_changes =
-    ": your lines change nothing: the numbers are those of the file with the gap. Is a copy changed (`Row row = "
-    "step.rows[i]` in the place of `Row& row`), or a result never used?";
-constexpr const char* not_a_number =
-    ": look for 0/0, the root of a negative number, or a variable that nothing was written into.";
+    ": your lines change nothing, because the numbers are those of the file with the gap. Do you change a copy (`Row "
+    "row = step.rows[i]` instead of `Row& row`), or never use a result?";
+constexpr const char* not_a_number = ": look for 0/0, the root of a negative number, or an uninitialised variable.";
 
 }  // namespace
 
@@ -124,14 +123,14 @@ Verdict judge(const Exercise& exercise, std::uint64_t seed, const Attempt& outco
   };
   while (both().first == both().second && digits < 12) ++digits;
   const auto [measured, should_be] = both();
-  verdict.sentence = fmt::format("{} {} where {} is right", quantity.words, measured, should_be);
+  verdict.sentence = fmt::format("{} {}, but {} is right", quantity.words, measured, should_be);
   if (is_untouched(exercise, seed, outcome)) {
     verdict.mistake = "nothing changes";
     verdict.sentence += nothing_changes;
   } else if (std::isnan(is)) {
     verdict.mistake = "not a number";
     verdict.sentence =
-        fmt::format("{} NaN, which is not a number, where {} is right{}", quantity.words, should_be, not_a_number);
+        fmt::format("{} NaN, which is not a number, but {} is right{}", quantity.words, should_be, not_a_number);
     return verdict;
   } else {
     const std::string& hint = exercise.checks[*first].hint;

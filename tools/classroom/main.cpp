@@ -43,7 +43,7 @@ void list(const std::vector<Exercise>& all, const StudentFiles& files) {
     if (!next && !files.solved(exercise)) next = &exercise;
   }
   if (next) fmt::print("next: {} {}\n", kit().call(), short_name(*next));
-  else fmt::print("all are solved\n");
+  else fmt::print("all exercises are solved\n");
 }
 
 /// A compiler that is not done by then has been given something that never ends.
@@ -68,7 +68,7 @@ Checked checked(const Exercise& exercise, StudentFiles& files, const Asked& aske
   lines += lines_printed(outcome);
   if (verdict.passed()) files.set_solved(exercise);
   if (!verdict.passed())
-    lines += fmt::format("  One hint more: {} {} --hint. The same scenes again: --seed {}\n", kit().call(),
+    lines += fmt::format("  For another hint: {} {} --hint. For the same scenes again: --seed {}\n", kit().call(),
                          short_name(exercise), seed);
   return {verdict.passed(), lines + fmt::format("\n  {}\n", verdict.passed() ? "Solved." : capital(verdict.sentence))};
 }
@@ -101,7 +101,7 @@ bool check_all(const std::vector<Exercise>& all, StudentFiles& files, const Aske
   list(all, files);
   fmt::print("{}{}", right, wrong);
   if (count > 1)
-    fmt::print("\n{} of {} checked are solved{}\n", solved, count,
+    fmt::print("\n{} of {} checked exercises are solved{}\n", solved, count,
                names.empty() ? "" : fmt::format("; not yet:{}", names));
   return solved == count;
 }
@@ -110,51 +110,52 @@ bool check_all(const std::vector<Exercise>& all, StudentFiles& files, const Aske
 
 int main(int argc, char** argv) {
   Asked asked;
-  CommandLine line("Exercises that check themselves.", kit().call());
-  line.option("EXERCISE", asked.words, "03, or 15-transfer; none: all are listed").at_most_once();
-  line.flag("--hint", asked.hint, "One hint more each time");
-  line.flag("--reset", asked.reset, "The file as it was; yours is kept, with .old at its end, then .old2, ...");
+  CommandLine line("Lists the exercises, or checks your file for one of them.", kit().call());
+  line.option("EXERCISE", asked.words, "03 or 15-transfer, for example; without it, list all exercises").at_most_once();
+  line.flag("--hint", asked.hint, "Show one more hint each time");
+  line.flag("--reset", asked.reset,
+            "Restore the original file; yours is kept, renamed to end in .old, then .old2, ...");
   line.flag("--watch", asked.watch, "Check again at each save, until interrupted");
-  line.option("--seed", asked.seed, "The same random scenes as last time");
-  line.flag("--all", asked.all, "Every file that you have written in and that is not solved");
+  line.option("--seed", asked.seed, "Use this seed, for the same random scenes as last time");
+  line.flag("--all", asked.all, "Check every file that you have changed and not yet solved");
   line.option("--in", asked.folder, "The folder with your files, exercises/ by default");
-  line.option("--tasks", asked.tasks, "A folder with exercises of your own, a folder each: docs/teaching.md");
+  line.option("--tasks", asked.tasks, "A folder with exercises of your own, a folder each (docs/teaching.md)");
   line.option("--new", asked.own_folder,
-              "Make a folder of your own, which needs nothing but an installed Pushback: its build says the verdict");
-  line.option("--with", asked.with, "02,03,15-transfer: these in that folder; all by default").split_at_commas();
-  line.option("--without", asked.without, "04: all but these").split_at_commas();
+              "Make a folder of your own that needs only an installed Pushback; its build prints the verdicts");
+  line.option("--with", asked.with, "02,03,15-transfer: put only these into the new folder; all by default")
+      .split_at_commas();
+  line.option("--without", asked.without, "04: put all except these into the new folder").split_at_commas();
   bool passed = true;
   const int status = line.run(argc, argv, [&] {
     const std::vector<Exercise> all = exercises_with(asked.tasks);
     if (!asked.own_folder.empty()) {
       if (!asked.words.empty())
-        throw InvalidInput(
-            fmt::format("--new makes a folder, and checks none: for '{0}' in it say --with {0}", asked.words[0]));
+        throw InvalidInput(fmt::format("--new makes a folder and checks nothing; to put '{0}' into it, add --with {0}",
+                                       asked.words[0]));
       const std::vector<const Exercise*> exercises = chosen(all, asked.with, asked.without);
       write_own_folder(asked.own_folder, exercises);
-      fmt::print("{}: {} exercise{}, each with its task. What to do with them is in {}.\n", asked.own_folder,
+      fmt::print("{}: {} exercise{}, each with its task. The next steps are in {}.\n", asked.own_folder,
                  exercises.size(), exercises.size() == 1 ? "" : "s",
                  (fs::path(asked.own_folder) / "README.md").string());
       return;
     }
     if (!asked.with.empty() || !asked.without.empty())
-      throw InvalidInput("--with and --without are for a new folder: --new FOLDER is needed");
+      throw InvalidInput("--with and --without apply to a new folder: --new FOLDER is needed");
     StudentFiles files(asked.folder);
     if (asked.words.empty()) {
       if (asked.all) {
         passed = check_all(all, files, asked);
         return;
       }
-      if (asked.hint || asked.reset || asked.watch)
-        throw InvalidInput("which exercise? Its number is needed, 03 for example");
+      if (asked.hint || asked.reset || asked.watch) throw InvalidInput("an exercise is needed, 03 for example");
       list(all, files);
       return;
     }
     const Exercise& exercise = exercise_named(all, asked.words[0]);
     if (asked.reset || !files.has(exercise)) {
       if (const fs::path kept = files.reset(exercise); !kept.empty())
-        fmt::print("What you had is kept: {}\n", kept.string());
-      fmt::print("Your file is {}; the gap is in line {}. The task is {}.\nWrite, save, and have it checked: {} {}\n",
+        fmt::print("Your previous file is kept as {}\n", kept.string());
+      fmt::print("Your file is {}; the gap is in line {}. The task is {}.\nWrite, save, and check it with: {} {}\n",
                  files.file(exercise).string(), line_of_todo(read_text_file(files.file(exercise))),
                  files.task(exercise).string(), kit().call(), short_name(exercise));
       if (!asked.watch) return;

@@ -96,7 +96,7 @@ std::vector<Exercise> exercises_with(const fs::path& tasks) {
   for (const fs::path& folder : folders) {
     for (const Exercise& other : all)
       if (other.name == folder.filename())
-        throw InvalidInput(fmt::format("--tasks: there is an exercise named {} already", other.name));
+        throw InvalidInput(fmt::format("--tasks: an exercise named {} already exists", other.name));
     all.push_back(loaded(folder));
   }
   return all;

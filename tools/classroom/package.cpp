@@ -54,7 +54,7 @@ std::string handed_out(const Exercise& exercise, const Call& call) {
 std::string how_to(const std::vector<const Exercise*>& exercises, const fs::path& folder) {
   std::string text =
       "# Exercises\n\nFor each exercise there is a task (`.md`) and a file with a gap (`.h`). Read the task, write the "
-      "lines between\n`// TODO` and `// TODO ends`, save, and have the file checked. The page of the chapter has the "
+      "lines between\n`// TODO` and `// TODO ends`, save, and check the file. The page of the chapter explains the "
       "idea and its equation.\n\n| exercise | task | your file | page of the chapter |\n| --- | --- | --- | --- |\n";
   std::string first;
   for (const Exercise* exercise : exercises) {
@@ -63,26 +63,29 @@ std::string how_to(const std::vector<const Exercise*>& exercises, const fs::path
     if (first.empty() && !exercise->own()) first = short_name(*exercise);
   }
   if (first.empty()) return text;
-  return text + fmt::format(R"(
+  return text +
+         fmt::format(R"(
 The pages are in a copy of Pushback, and in `share/pushback/pages` of the folder that Pushback is installed in.
 
-An exercise is checked in this folder where Pushback is installed{}:
+If Pushback is installed, check an exercise in this folder by the command below{}:
 
     {}{}
 
-With `--hint` you see one hint more each time, with `--watch` the file is checked again at each save, until Ctrl-C, and `--reset`
-brings the file back as it was; yours is kept beside it. `pushback-exercise` is in `bin` of the folder that Pushback is installed
-in. If the shell does not find it, write that folder before it. A build checks every file that you have written in:
+`--hint` shows one more hint each time. `--watch` checks the file again at each save, until Ctrl-C. `--reset` restores the
+original file and keeps yours next to it. `pushback-exercise` is in `bin` of the folder that Pushback is installed in. If the
+shell does not find it, write this folder before it. A build checks every file that you have changed:
 
     cmake -B build -G Ninja
     cmake --build build
 
-The verdict stands at its end. As long as an answer is wrong, the build fails. If CMake does not find Pushback, say once where
-it is installed: `cmake -B build -DCMAKE_PREFIX_PATH=FOLDER`. If you hand this folder in, do so under your own name, without
+The verdict is at the end of the output. The build fails as long as an answer is wrong. If CMake does not find Pushback, tell it
+once where it is installed: `cmake -B build -DCMAKE_PREFIX_PATH=FOLDER`. Hand in this folder under your own name and without
 `build`.
 )",
-                            kit().prefix.empty() ? ", or in a copy of it, where PATH/TO is where this folder lies" : "",
-                            installed.of(first), kit().prefix.empty() ? "\n    " + in_a_copy(folder).of(first) : "");
+                     kit().prefix.empty()
+                         ? ". In a copy of Pushback, use the second one, where PATH/TO is the path to this folder"
+                         : "",
+                     installed.of(first), kit().prefix.empty() ? "\n    " + in_a_copy(folder).of(first) : "");
 }
 
 std::string build_file() {
@@ -91,10 +94,10 @@ std::string build_file() {
 project(exercises LANGUAGES NONE)
 find_program(PUSHBACK_EXERCISE pushback-exercise{})
 if(NOT PUSHBACK_EXERCISE)
-  message(FATAL_ERROR "pushback-exercise is not found. It comes with an installed Pushback: cmake -B build -DCMAKE_PREFIX_PATH=FOLDER says where that is")
+  message(FATAL_ERROR "pushback-exercise was not found. It is part of an installed Pushback. Give its folder by cmake -B build -DCMAKE_PREFIX_PATH=FOLDER")
 endif()
 add_custom_target(verdicts ALL COMMAND ${{PUSHBACK_EXERCISE}} --all --in ${{CMAKE_SOURCE_DIR}}
-  COMMENT "What you have written is compiled and checked" USES_TERMINAL VERBATIM)
+  COMMENT "Compile and check your files" USES_TERMINAL VERBATIM)
 )",
                      hint);
 }
@@ -112,7 +115,7 @@ std::vector<const Exercise*> chosen(const std::vector<Exercise>& all, const std:
   for (const Exercise& one : all)
     if (with.empty()) exercises.push_back(&one);
   for (const std::string& word : without) std::erase(exercises, &exercise_named(all, word));
-  if (exercises.empty()) throw InvalidInput("--without leaves none: at least one exercise is needed");
+  if (exercises.empty()) throw InvalidInput("--without removes all exercises: at least one is needed");
   return exercises;
 }
 
@@ -122,7 +125,7 @@ void write_own_folder(const fs::path& folder, const std::vector<const Exercise*>
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (failure)
-    throw InvalidInput(fmt::format("'{}' cannot be made: {}. A folder that can be written to is needed",
+    throw InvalidInput(fmt::format("'{}' cannot be created: {}. A folder that can be written to is needed",
                                    folder.string(), failure.message()));
   const Call call = kit().prefix.empty() ? in_a_copy(folder) : installed;
   for (const Exercise* exercise : exercises) {

@@ -49,7 +49,7 @@ std::string lines_printed(const Attempt& outcome) {
   for (std::size_t i = 0; i < std::min<std::size_t>(printed.size(), 10); ++i)
     lines += fmt::format("  | {}\n", printed[i]);
   if (printed.size() > 10)
-    lines += fmt::format("  | ... and {} lines more that your file printed\n", printed.size() - 10);
+    lines += fmt::format("  | ... and {} more lines that your file printed\n", printed.size() - 10);
   return lines;
 }
 
@@ -103,7 +103,7 @@ void WorkFolder::show_hints(const std::string& name, const std::vector<std::stri
   std::size_t& count = remembered_[name].hints;
   count = std::min(count + 1, hints.size());
   for (std::size_t i = 0; i < count; ++i) fmt::print("  {}. {}\n", i + 1, hints[i]);
-  if (count == hints.size()) fmt::print("  That was the last one. {} has the rest.\n", page);
+  if (count == hints.size()) fmt::print("  That was the last hint. {} explains the rest.\n", page);
   write();
 }
 

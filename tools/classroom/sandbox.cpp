@@ -28,7 +28,7 @@ void give_to(unsigned user, const fs::path& folder) {
   std::vector<fs::path> all{folder};
   for (const auto& entry : fs::recursive_directory_iterator(folder)) all.push_back(entry.path());
   for (const fs::path& path : all)
-    if (lchown(path.c_str(), user, user) != 0) throw std::runtime_error("cannot give away " + path.string());
+    if (lchown(path.c_str(), user, user) != 0) throw std::runtime_error("cannot change the owner of " + path.string());
 }
 
 /// bubblewrap would make the folders on the way to what is bound such that only root may enter them.
@@ -51,7 +51,7 @@ Sandbox::Sandbox() {
   if (ended.status != 0)
     throw InvalidInput(
         fmt::format("there is no sandbox here (bubblewrap: {}): install the package bubblewrap, or say --no-sandbox "
-                    "and run what students wrote with all that you may do yourself",
+                    "and run the students' code with all of your own rights",
                     ended.status == 127 ? "not installed" : lines_of(ended.err + "no reason given").front()));
 }
 

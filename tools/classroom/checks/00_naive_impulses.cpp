@@ -79,56 +79,56 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Game game(random, -random.between(6, 9), random.between(Real(0.3), Real(0.8)));
          game.play(answer);
-         return {{"the pivot of your bat moves with", game.world.bodies[0].velocity_at(game.pivot).norm(), "m/s", 1e-8},
-                 {"your ball separates from the bat with", game.separates(), "m/s"}};
+         return {{"the pivot of your bat moves at", game.world.bodies[0].velocity_at(game.pivot).norm(), "m/s", 1e-8},
+                 {"your ball separates from the bat at", game.separates(), "m/s"}};
        },
-       "something holds the pivot, so the bat can only turn about it. Its inertia and the arm of the impulse are those "
-       "about the pivot, and its centre of mass follows the turn, v = ω × d."},
-      {"at e = 1 a bat that swings and its ball keep their energy", 2,
+       "the pivot is fixed, so the bat can only rotate about it. Use the inertia and the arm of the impulse about the "
+       "pivot. The centre of mass follows the rotation: v = ω × d."},
+      {"at e = 1 a swinging bat and its ball keep their energy", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Vec3 aside(0, random.between(Real(0.05), Real(0.1)), random.between(Real(0.1), Real(0.15)));
          Game game(random, -random.between(6, 9), 1, random.between(5, 8), aside);
          const Real before = kinetic_energy(game.world);
          game.play(answer);
-         return {{"your ball, met by a bat that swings, separates from it with", game.separates(), "m/s"},
-                 {"the energy of both has grown by", kinetic_energy(game.world) - before, "J", 1e-5},
-                 {"your bat, whose pivot is beside its axis, turns with", game.world.bodies[0].angular_velocity.norm(),
+         return {{"your ball, hit by a swinging bat, separates from it at", game.separates(), "m/s"},
+                 {"the kinetic energy of bat and ball has grown by", kinetic_energy(game.world) - before, "J", 1e-5},
+                 {"your bat, whose pivot is off its axis, rotates at", game.world.bodies[0].angular_velocity.norm(),
                   "rad/s"}};
        },
-       "K is the ball's 1/m plus the turn of the bat about its pivot, with the whole matrix of inertia. v_n is the "
-       "speed of the ball against the point of the bat that it hits."},
-      {"a hand at the pivot feels nothing of a ball at the sweet spot, and much of one at the tip", 2,
+       "K is the ball's 1/m plus the bat's rotation about its pivot, with the whole inertia matrix. v_n is the speed "
+       "of the ball relative to the point of the bat that it hits."},
+      {"a hand at the pivot feels nothing if the ball hits the sweet spot, and a lot if it hits the tip", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Game game(random, -random.between(6, 9), random.between(Real(0.3), Real(0.8)));
          Game other = game;
          game.touch_at(game.sweet_spot);
          other.touch_at(other.tip);
          const Real at_the_sweet_spot = game.play(answer);
-         return {{"of a ball at the sweet spot the hand feels", at_the_sweet_spot, "N s"},
-                 {"of a ball at the tip the hand feels", other.play(answer), "N s"}};
+         return {{"for a ball at the sweet spot the hand feels", at_the_sweet_spot, "N s"},
+                 {"for a ball at the tip the hand feels", other.play(answer), "N s"}};
        },
-       "the hand gives the momentum that bat and ball gain together. At the sweet spot that is none, because the "
-       "centre of mass follows the turn about the pivot."},
-      {"a ball that flies away by itself is let go", 1,
+       "the hand gives the momentum that bat and ball gain together. At the sweet spot this is zero, because the "
+       "centre of mass follows the rotation about the pivot."},
+      {"a ball that already flies away gets no impulse", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Game game(random, random.between(30, 40), Real(0.5), random.between(5, 8));
          game.play(answer);
-         return {{"your ball, which was flying away by itself, separates from the bat with", game.separates(), "m/s"}};
+         return {{"your ball, which was already flying away, separates from the bat at", game.separates(), "m/s"}};
        },
-       "where v_n is not negative, the ball leaves by itself. There is no impulse: a bat neither holds it back nor "
-       "pushes it once more."},
+       "if v_n is not negative, the ball is already leaving. Then there is no impulse: a bat neither holds the ball "
+       "back nor pushes it again."},
   };
 }
 
 Exercise exercise() {
   return exercise_of(
       "a bat that turns about a pivot",
-      {"The bat has no motion but its turn about the pivot. Its point r from the pivot moves with ω × r, and a newton "
-       "second there changes ω by I_P⁻¹ (r × n), with the inertia I_P about the pivot.",
-       "Steiner's theorem: I_P = I + m (|d|² 1 - d dᵀ), where I = bat.inverse_inertia.inverse() and d leads from the "
+      {"The bat can only rotate about the pivot. A point at r from the pivot moves at ω × r, and an impulse of 1 N s "
+       "along n at that point changes ω by I_P⁻¹ (r × n), where I_P is the inertia about the pivot.",
+       "Steiner's theorem: I_P = I + m (|d|² 1 - d dᵀ), where I = bat.inverse_inertia.inverse() and d points from the "
        "pivot to the centre of mass.",
-       "So K has 1/m of the ball alone, and (r × n) · I_P⁻¹ (r × n) of the bat, with r from the pivot. The ball does "
-       "not begin to spin: n leads to its centre. Last, bat.velocity = ω × d."},
+       "So K contains 1/m only for the ball. For the bat it contains (r × n) · I_P⁻¹ (r × n), with r from the pivot. "
+       "The ball does not start to spin, because n points to its centre. Finally, bat.velocity = ω × d."},
       Answer{right});
 }
 

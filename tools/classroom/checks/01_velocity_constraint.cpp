@@ -59,58 +59,58 @@ void right(Body& body, const Vec3& ring, const Vec3& rail, const Vec3& rails_vel
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"a ball with the ring at its centre keeps its speed along the rail, and no other", 1,
+      {"a ball with the ring at its centre keeps only its speed along the rail", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Ride ride = ball(random);
          ride.play(answer);
-         return {{"your ball leaves the rail with", ride.leaves(), "m/s"},
-                 {"your ball goes along the rail with", ride.along(), "m/s", 1e-5}};
+         return {{"your ball leaves the rail at", ride.leaves(), "m/s"},
+                 {"your ball moves along the rail at", ride.along(), "m/s", 1e-5}};
        },
-       "the rail forbids two directions, both at right angles to it, and holds the ring from both sides. Along itself "
-       "it gives no impulse."},
+       "the rail blocks both directions at right angles to it, and holds the ring from both sides. It gives no impulse "
+       "along itself."},
       {"the ring of a bar stays on the rail, and the bar swings", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Ride ride = bar(random, false);
          const Vec3 before = ride.angular_momentum();
          ride.play(answer);
-         return {{"the ring of your bar leaves the rail with", ride.leaves(), "m/s"},
-                 {"the centre of your bar goes along the rail with", ride.along(), "m/s", 1e-5},
+         return {{"the ring of your bar leaves the rail at", ride.leaves(), "m/s"},
+                 {"the centre of your bar moves along the rail at", ride.along(), "m/s", 1e-5},
                  {"the angular momentum of your bar about its ring has changed by",
                   (ride.angular_momentum() - before).norm(), "N m s", 1e-5}};
        },
-       "the rail holds the ring, not the centre of mass. J V is the speed of the ring, v + ω × r, and the impulse "
-       "turns the bar by I⁻¹ (r × n). Each row disturbs the other, so they are solved in turn, over and over."},
-      {"the same holds for a bar that lies askew", 1,
+       "the rail holds the ring, not the centre of mass. J V is the speed of the ring, from v + ω × r, and the impulse "
+       "changes ω by I⁻¹ (r × n). Each row disturbs the other, so solve them in turn, again and again."},
+      {"the same is true for a bar that lies askew", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Ride ride = bar(random, true);
          ride.play(answer);
-         return {{"the ring of your bar, which lies askew, leaves the rail with", ride.leaves(), "m/s"},
-                 {"your bar, which lies askew, turns with", ride.body.angular_velocity.norm(), "rad/s", 1e-5}};
+         return {{"the ring of your bar, which lies askew, leaves the rail at", ride.leaves(), "m/s"},
+                 {"your bar, which lies askew, rotates at", ride.body.angular_velocity.norm(), "rad/s", 1e-5}};
        },
-       "a bar that lies askew has its inertia in world axes, inverse_inertia, and r leads from its centre of mass to "
-       "the ring."},
-      {"a rail that moves takes the ring along, but not along itself", 2,
+       "use the inertia in world axes, inverse_inertia, because the bar lies askew. r points from its centre of mass "
+       "to the ring."},
+      {"a moving rail carries the ring along, but not in the direction of the rail", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Ride ride = bar(random, true);
          ride.rails_velocity = random.vector(4);
          ride.play(answer);
-         return {{"the ring of your bar leaves the moving rail with", ride.leaves(), "m/s"},
-                 {"the centre of your bar goes along the moving rail with", ride.along(), "m/s", 1e-5},
-                 {"your bar on the moving rail turns with", ride.body.angular_velocity.norm(), "rad/s", 1e-5}};
+         return {{"the ring of your bar leaves the moving rail at", ride.leaves(), "m/s"},
+                 {"the centre of your bar moves along the moving rail at", ride.along(), "m/s", 1e-5},
+                 {"your bar on the moving rail rotates at", ride.body.angular_velocity.norm(), "rad/s", 1e-5}};
        },
-       "the ring has to move across the rail as the rail does, so b = -n · u. Along the rail, which has no friction, "
-       "the rail's velocity does nothing."},
+       "across the rail, the ring must move as fast as the rail does, so b = -n · u. Along the rail there is no "
+       "friction, so the rail's velocity has no effect."},
   };
 }
 
 Exercise exercise() {
   return exercise_of(
       "a body on a rail",
-      {"Two rows: one for each direction n at right angles to the rail, which are the two of tangents_of(rail). J V is "
-       "the speed of the ring along n, n · v + (r × n) · ω.",
-       "K = 1/m + (r × n) · I⁻¹ (r × n), with r from the centre of mass to the ring. Nothing of the rail is in it.",
-       "The ring is to have the rail's speed along n, n · u. The row makes J V = -b, so b = -n · u. Compute J V anew "
-       "before each impulse."},
+      {"There are two rows, one for each direction n at right angles to the rail. tangents_of(rail) returns both. J V "
+       "is the speed of the ring along n, n · v + (r × n) · ω.",
+       "K = 1/m + (r × n) · I⁻¹ (r × n), with r from the centre of mass to the ring. K contains nothing of the rail.",
+       "The ring must move along n as fast as the rail, at n · u. The row makes J V = -b, so b = -n · u. Compute J V "
+       "again before each impulse."},
       Answer{right});
 }
 

@@ -65,67 +65,67 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Magnet held(random, ball(random), random.between(Real(0.3), Real(0.9)));
          const Real impulse = held.play(answer);
-         return {{"your ball, which the magnet can hold, leaves with", held.upwards(), "m/s"},
-                 {"the row of your ball keeps an impulse of", impulse, "N s", 1e-4}};
+         return {{"your ball, which the magnet can hold, leaves at", held.upwards(), "m/s"},
+                 {"the accumulated impulse of your ball's row is", impulse, "N s", 1e-4}};
        },
-       "the magnet pulls until the ball stops. The sum of the row may be negative, down to the impulse of F in a step, "
-       "-F h."},
-      {"a ball that is too fast leaves, slower by F h / m", 2,
+       "the magnet pulls until the ball stops. The accumulated impulse may be negative, down to -F h, the impulse of F "
+       "in one step."},
+      {"a ball that is too fast leaves, but slower by F h / m", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Magnet fast(random, ball(random), random.between(Real(1.5), 4));
          const Real impulse = fast.play(answer);
-         return {{"your ball, which is too fast for the magnet, leaves with", fast.upwards(), "m/s"},
-                 {"the row of your ball keeps an impulse of", impulse, "N s", 1e-4}};
+         return {{"your ball, which is too fast for the magnet, leaves at", fast.upwards(), "m/s"},
+                 {"the accumulated impulse of your ball's row is", impulse, "N s", 1e-4}};
        },
-       "the magnet pulls with all of F for h seconds, and not more. The sum of all corrections is at least -F h, not "
-       "each of them."},
-      {"a ball that lands is stopped, however hard", 1,
+       "the magnet pulls with at most F for h seconds. The accumulated impulse is at least -F h. This is not a bound "
+       "on each correction."},
+      {"a ball that lands stops, however hard it lands", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Magnet one(random, ball(random), -random.between(Real(1.5), 4));
          Magnet four(random, column(random), -random.between(8, 12));
          const Real impulse = one.play(answer);
          four.play(answer);
-         return {{"your ball, which lands on the magnet, leaves with", one.upwards(), "m/s"},
-                 {"the row of your ball keeps an impulse of", impulse, "N s", 1e-4},
-                 {"your column, which lands flat and hard, leaves with", four.upwards(), "m/s"}};
+         return {{"your ball, which lands on the magnet, leaves at", one.upwards(), "m/s"},
+                 {"the accumulated impulse of your ball's row is", impulse, "N s", 1e-4},
+                 {"your column, which lands flat and hard, leaves at", four.upwards(), "m/s"}};
        },
-       "only the pull has a limit. Iron that is landed on pushes back as hard as it takes, at all of its points."},
-      {"b is minus the speed that is wanted", 1,
+       "only the pull is limited. The iron pushes back at all of its points, as hard as it takes to stop the body."},
+      {"b is minus the target speed", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Magnet asked(random, ball(random), random.between(Real(0.4), Real(0.9)));
          asked.play(answer, -random.between(Real(0.1), Real(0.3)) * asked.can_stop());
-         return {{"your ball, of which b asks a separating speed, leaves with", asked.upwards(), "m/s"}};
+         return {{"your ball, for which b sets a target speed, leaves at", asked.upwards(), "m/s"}};
        },
-       "the row makes J V + b = 0, so the separating speed that is wanted is -b."},
+       "the row makes J V + b = 0, so the target speed is -b."},
       {"the four points of a column hold F together", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Magnet fast(random, column(random), random.between(Real(1.3), 3));
          Magnet slow(random, column(random), random.between(Real(0.3), Real(0.7)));
          fast.play(answer);
          slow.play(answer);
-         return {{"your column, which is too fast for four points, leaves with", fast.upwards(), "m/s"},
-                 {"your column, which four points can hold, leaves with", slow.upwards(), "m/s"}};
+         return {{"your column, which is too fast for four points, leaves at", fast.upwards(), "m/s"},
+                 {"your column, which four points can hold, leaves at", slow.upwards(), "m/s"}};
        },
-       "the magnet has F in all, and each of its n points holds F/n."},
-      {"a column that lands turning is pushed on one side, and held on the other", 1,
+       "the magnet can pull with F in total, so each of its n points can pull with F/n."},
+      {"a column that lands while it rotates is pushed on one side and held on the other", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Magnet lands(random, column(random), -random.between(1, 2));
          lands.body().angular_velocity.z() = random.between(8, 12) * lands.can_stop();
          lands.play(answer);
-         return {{"your column, which lands turning, leaves with", lands.upwards(), "m/s"},
-                 {"your column turns on with", lands.body().angular_velocity.z(), "rad/s"}};
+         return {{"your column, which lands while it rotates, leaves at", lands.upwards(), "m/s"},
+                 {"your column continues to rotate at", lands.body().angular_velocity.z(), "rad/s"}};
        },
-       "each point has a sum of its own, which is a push of any size or a pull of at most F h / n."},
+       "each point has its own accumulated impulse: a push of any size, or a pull of at most F h / n."},
   };
 }
 
 Exercise exercise() {
   return exercise_of("a magnet that holds up to F",
                      {"Chapter 02 keeps the sum of each row in [0, ∞). Only one end of that interval changes.",
-                      "An impulse is compared with impulses. Which impulse can the magnet give in h seconds, "
-                      "and which part of it one of its points?",
-                      "The sum is at least -F h / n for a magnet of n points. Clamp it, apply what it differs "
-                      "from the old one, keep it."},
+                      "Compare impulses with impulses. Which impulse can the magnet give in h seconds, and which "
+                      "fraction of it can each point give?",
+                      "The accumulated impulse is at least -F h / n for a magnet with n points. Clamp it, apply the "
+                      "difference from the old one, and store it."},
                      Answer{right});
 }
 

@@ -56,54 +56,54 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          const Real longer = random.between(Real(0.2), Real(0.3));
          slow.depth *= longer / slow.h;
          slow.h = longer;
-         return {{"your shallow ball leaves with", shallow.solved(random, answer), "m/s"},
-                 {"your shallow ball leaves in a long step with", slow.solved(random, answer), "m/s"}};
+         return {{"your shallow ball leaves at", shallow.solved(random, answer), "m/s"},
+                 {"in a long step your shallow ball leaves at", slow.solved(random, answer), "m/s"}};
        },
-       "below the cap the push-out takes away the part β of the overlap in one step. Its speed is β d / h, and b is "
-       "minus that, however fast the ball is."},
+       "below the cap, the push-out removes the fraction β of the overlap in one step. Its speed is β d / h, and b is "
+       "minus this speed, however fast the ball moves."},
       {"a deep ball leaves at the cap", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Real cap = random.between(Real(0.5), 1);
          const Ball deep = ball_wanting(random, cap * random.between(Real(1.5), 3), cap);
          Ball lost = deep;
          lost.depth = random.between(Real(1.2), 2);
-         return {{"your deep ball leaves with", deep.solved(random, answer), "m/s"},
-                 {"your ball, which is more than a metre deep, leaves with", lost.solved(random, answer), "m/s"}};
+         return {{"your deep ball leaves at", deep.solved(random, answer), "m/s"},
+                 {"your ball, which is more than a metre deep, leaves at", lost.solved(random, answer), "m/s"}};
        },
-       "what is too deep is pushed out at the cap, which is a speed as β d / h is."},
-      {"a ball that is to bounce faster than the cap does", 2,
+       "a body that is too deep is pushed out at the cap. The cap is a speed, just as β d / h is."},
+      {"a ball that should bounce faster than the cap does so", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Real cap = random.between(Real(0.5), 1);
          Ball fast = ball_wanting(random, cap * 2, cap), slow = ball_wanting(random, cap * Real(0.8), cap);
          fast.asked = cap * random.between(Real(2.5), 4);
          slow.asked = cap * random.between(Real(0.1), Real(0.6));
-         return {{"your ball, which is to bounce faster than the cap, leaves with", fast.solved(random, answer), "m/s"},
-                 {"your ball, which is to bounce more slowly than it is pushed out, leaves with",
+         return {{"your ball, which should bounce faster than the cap, leaves at", fast.solved(random, answer), "m/s"},
+                 {"your ball, which should bounce more slowly than the push-out, leaves at",
                   slow.solved(random, answer), "m/s"}};
        },
-       "the cap is on the push-out only. Of two wishes the one for more speed stays, which is the lesser b."},
-      {"a ball that is still apart goes its way, and is not let in", 1,
+       "the cap limits only the push-out. Keep the higher of the two target speeds, which is the lower b."},
+      {"a ball that is still apart continues to move, and is not stopped early", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Real cap = random.between(Real(0.5), 1);
          Ball leaving = ball_wanting(random, -cap * 2, cap), coming = leaving;
          leaving.speed = cap * random.between(Real(0.1), Real(0.4));
          coming.speed = -cap * 5;
-         return {{"your ball, which is still above the ground and leaving, leaves with", leaving.solved(random, answer),
-                  "m/s"},
-                 {"your ball, which is still above the ground and coming nearer, goes on with",
-                  coming.solved(random, answer), "m/s"}};
+         return {{"your ball, which is above the ground and leaving, leaves at", leaving.solved(random, answer), "m/s"},
+                 {"your ball, which is above the ground and approaching, continues at", coming.solved(random, answer),
+                  "m/s"}};
        },
-       "where C > 0 there is no overlap to undo, and b stays as it is."},
+       "if C > 0 there is no overlap to remove, so b stays as it is."},
   };
 }
 
 Exercise exercise() {
-  return exercise_of(
-      "a push-out with a cap on its speed",
-      {"A cap is the most that the push-out may ask for. Which of the two speeds, β d / h and the cap, is it?",
-       "b is minus a speed, so the lesser of two speeds is the greater of two negative b.",
-       "The cap is on the push-out alone. First cap it, then compare it with the b that is there."},
-      Answer{right});
+  return exercise_of("a push-out with a cap on its speed",
+                     {"The cap is the highest speed of the push-out. Should the push-out use the higher or the lower "
+                      "of β d / h and the cap?",
+                      "b is minus a speed, so the lower of two speeds is the higher of two negative values of b.",
+                      "The cap limits only the push-out. Apply the cap first, then compare the result with the b that "
+                      "is already there."},
+                     Answer{right});
 }
 
 }  // namespace pushback::exercise_03

@@ -46,36 +46,36 @@ void right(Row& row, Real beta, Real slop, Real h) {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"what does not reach the ground in this step goes its way", 2,
+      {"a body that does not reach the ground in this step continues as before", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Setting at(random);
          const Real just_reaches = at.gap / at.h;
-         return {{"your ball, which will not reach the ground in this step, goes on with",
+         return {{"your ball, which will not reach the ground in this step, continues at",
                   at.ball(at.gap, -just_reaches * random.between(Real(0.4), Real(0.8)), answer), "m/s"},
-                 {"your ball, which is above the ground and leaving, goes on with",
+                 {"your ball, which is above the ground and leaving, continues at",
                   at.ball(at.gap, just_reaches * random.between(Real(0.1), Real(0.5)), answer), "m/s"}};
        },
-       "a contact only pushes, and b = C/h lets the whole gap close in this step. What comes by less than that, or "
-       "leaves, feels nothing."},
-      {"what would pass the surface in this step ends on it", 2,
+       "a contact only pushes, and b = C/h lets a body close the whole gap in this step. A body that approaches more "
+       "slowly, or leaves, gets no impulse."},
+      {"a body that would pass through the surface in this step ends on it", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Setting at(random);
          return {
-             {"your fast ball moves on with", at.ball(at.gap, -at.gap / at.h * random.between(4, 8), answer), "m/s"}};
+             {"your fast ball continues at", at.ball(at.gap, -at.gap / at.h * random.between(4, 8), answer), "m/s"}};
        },
-       "the whole gap may be closed in this step, and not more. C is a distance and C/h the speed, without β and "
+       "a body may close the whole gap in this step, but no more. C is a distance and C/h a speed, without β and "
        "without the slop."},
-      {"what overlaps stays where it is up to the slop, and comes up at β (d − slop) / h beyond", 2,
+      {"an overlap up to the slop stays, and a deeper body comes up at β (d − slop) / h", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Setting at(random);
          const Real deep = at.slop * random.between(2, 4), shallow = at.slop * random.between(Real(0.3), Real(0.7));
-         return {{"your deep ball comes up with", at.ball(-deep, 0, answer), "m/s"},
-                 {"your ball, which is less deep than the slop and sinking, moves on with",
+         return {{"your deep ball comes up at", at.ball(-deep, 0, answer), "m/s"},
+                 {"your ball, which is sinking but less deep than the slop, continues at",
                   at.ball(-shallow, -random.between(2, 3), answer), "m/s"}};
        },
-       "up to the slop an overlap neither grows nor is pushed out. What is deeper comes up by the part β of C + slop "
-       "in a step, at the speed β (d - slop) / h."},
-      {"a box that touches with one edge comes down on the other", 1,
+       "an overlap up to the slop neither grows nor is pushed out. From a deeper one, each step removes the fraction β "
+       "of d - slop, at the speed β (d - slop) / h."},
+      {"a box that touches with one edge comes down on the other edge", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Setting at(random);
          const Real half = random.between(Real(0.3), Real(0.5));
@@ -84,21 +84,20 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          world.contacts[0].point = {-half, 0, 0};
          world.contacts.push_back({.point = {half, 0, 0}, .normal = Vec3::UnitY(), .id = {0, 1, 1}});
          at.solve(world, answer, 100);
-         return {
-             {"your box, which has touched with one edge, turns with", world.bodies[1].angular_velocity.z(), "rad/s"}};
+         return {{"your box, which touches with one edge, rotates at", world.bodies[1].angular_velocity.z(), "rad/s"}};
        },
-       "each corner has a gap of its own. One may be closed in this step, while the other corner stays on the ground."},
+       "each corner has its own gap. One corner may close its gap in this step, while the other stays on the ground."},
   };
 }
 
 Exercise exercise() {
   return exercise_of(
       "a margin that keeps points which are still apart",
-      {"J V >= -b: with b = 0 the bodies may not come nearer at all. Which b allows an approach, a positive or a "
-       "negative one?",
-       "A body that is C above the ground and comes with the speed v is at C - h v after the step. Which v brings it "
-       "to 0?",
-       "That is two cases. The first has neither β nor the slop in it, the second is the bias of chapter 04."},
+      {"The row makes J V >= -b. With b = 0 the bodies may not come nearer at all. Does a positive or a negative b "
+       "allow an approach?",
+       "A body at C above the ground that approaches at the speed v is at C - h v after the step. Which v brings it to "
+       "0?",
+       "So there are two cases. The first contains neither β nor the slop, and the second is the bias of chapter 04."},
       Answer{right});
 }
 

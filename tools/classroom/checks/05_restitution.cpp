@@ -75,69 +75,68 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
       {"a slow impact has the restitution of its contact, and gains no energy", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Ball slow{some_e(random), random.between(Real(0.16), Real(0.4))};
-         return {{"your slow ball leaves with", slow.solved(answer), "m/s"},
-                 {"your second of two balls, whose ground is bouncier than it is, leaves with",
+         return {{"your slow ball leaves at", slow.solved(answer), "m/s"},
+                 {"the second of your two balls, whose ground is bouncier than it is, leaves at",
                   second_of_two(random, answer), "m/s"}};
        },
-       "up to the yield speed, e is the restitution of the contact, step.contacts[i].restitution, and never more. An "
-       "impact gains no energy."},
+       "up to the yield speed, e is at most the restitution of the contact, step.contacts[i].restitution. An impact "
+       "gains no energy."},
       {"above the yield speed e falls with the fourth root of the speed", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
-         return {{"your fast ball leaves with", Ball{some_e(random), random.between(4, 40)}.solved(answer), "m/s"}};
+         return {{"your fast ball leaves at", Ball{some_e(random), random.between(4, 40)}.solved(answer), "m/s"}};
        },
-       "above the yield speed e = e_0 (v_y / v)^(1/4), with the whole speed v of the approach. Sixteen times the yield "
-       "speed halves e."},
-      {"this step's gravity is no part of the approach", 2,
+       "above the yield speed e = e_0 (v_y / v)^(1/4), where v is the whole approach speed. At sixteen times the yield "
+       "speed, e is half as large."},
+      {"this step's gravity does not count towards the approach speed", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Ball lands = heavy(random, some_e(random), random.between(4, 8));
          const Ball creeps = heavy(random, some_e(random), random.between(Real(0.04), Real(0.09)));
-         return {{"your fast ball, which gravity accelerates as it lands, leaves with", lands.solved(answer), "m/s"},
-                 {"your ball, which lands more slowly than the threshold but for gravity, leaves with",
+         return {{"your fast ball, which gravity accelerates while it lands, leaves at", lands.solved(answer), "m/s"},
+                 {"your ball, which arrives below the threshold without this step's gravity, leaves at",
                   creeps.solved(answer), "m/s"}};
        },
-       "the ball has not fallen by this step's gravity yet. The speed of approach is the one from before it, for the "
-       "bounce and for the threshold."},
+       "this step's gravity has not moved the ball yet. The approach speed is the speed before this step's gravity, "
+       "both for the bounce and for the threshold."},
       {"only the motion along the normal counts", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Ball ball{some_e(random), random.between(Real(0.5), Real(0.9))};
          ball.slides = random.between(6, 12);
-         return {{"your ball, which slides fast and lands gently, leaves with", ball.solved(answer), "m/s"}};
+         return {{"your ball, which slides fast and lands gently, leaves at", ball.solved(answer), "m/s"}};
        },
-       "sliding along the ground does not press the ball into it. e depends on the speed along the normal."},
-      {"of the bounce and the push-out, the one for more speed stays", 2,
+       "sliding along the ground does not press the ball into it. e depends only on the speed along the normal."},
+      {"the faster of bounce and push-out is kept", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Ball more{some_e(random), random.between(4, 8)}, less{some_e(random), random.between(4, 8)};
          more.asked = more.arrives * random.between(Real(1.2), 2);
          less.asked = less.arrives * random.between(Real(0.05), Real(0.2));
          Ball slow{some_e(random), random.between(Real(0.03), Real(0.09))};
          slow.asked = random.between(Real(0.3), Real(0.6));
-         return {{"your ball, which is pushed out faster than it bounces, leaves with", more.solved(answer), "m/s"},
-                 {"your ball, which bounces faster than it is pushed out, leaves with", less.solved(answer), "m/s"},
-                 {"your ball, which is too slow to bounce and is pushed out, leaves with", slow.solved(answer), "m/s"}};
+         return {{"your ball, whose push-out is faster than its bounce, leaves at", more.solved(answer), "m/s"},
+                 {"your ball, whose bounce is faster than its push-out, leaves at", less.solved(answer), "m/s"},
+                 {"your ball, which is too slow to bounce and is pushed out, leaves at", slow.solved(answer), "m/s"}};
        },
-       "bounce and push-out are each a least speed, and the lesser b satisfies both. Where nothing bounces, b stays as "
+       "bounce and push-out are both minimum speeds, and the lower b satisfies both. If there is no bounce, b stays as "
        "it was."},
-      {"what arrives more slowly than the threshold stays, what arrives faster bounces", 1,
+      {"a ball bounces only if it arrives faster than the threshold", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Ball slow{some_e(random), random.between(Real(0.03), Real(0.09))},
              faster{some_e(random), threshold * random.between(Real(1.02), Real(1.1))};  // whose e v is below it
-         return {{"your ball, which arrives more slowly than the threshold, leaves with", slow.solved(answer), "m/s"},
-                 {"your ball, which arrives a little faster than the threshold, leaves with", faster.solved(answer),
-                  "m/s"}};
+         return {
+             {"your ball, which arrives more slowly than the threshold, leaves at", slow.solved(answer), "m/s"},
+             {"your ball, which arrives a little faster than the threshold, leaves at", faster.solved(answer), "m/s"}};
        },
-       "the threshold is for the speed of the approach, v_n. What arrives more slowly does not bounce, what arrives "
-       "faster does, by the lesser of the old b and e v_n."},
+       "compare the threshold with the approach speed v_n. A slower body does not bounce. For a faster one, b is the "
+       "lower of the old b and e v_n."},
   };
 }
 
 Exercise exercise() {
   return exercise_of(
       "a restitution that falls with the speed",
-      {"Two laws agree at v = v_y, where e = e_0, and one is proportional to v to the power of -1/4. Which power of "
-       "v_y / v is that?",
-       "Below the yield speed this law gives more than e_0, above it less. Which of the two laws is right is a min or "
-       "a max.",
-       "The rest is chapter 05's: where v_n < -threshold, b becomes the lesser of the old b and e v_n, with your e."},
+      {"Two laws agree at v = v_y, where e = e_0. One is proportional to v to the power -1/4. To which power does it "
+       "contain v_y / v?",
+       "Below the yield speed this law gives more than e_0, and above it less. A min or a max selects the right law.",
+       "The rest is as in chapter 05. If v_n < -threshold, b becomes the lower of the old b and e v_n, with your e."},
       Answer{Bounce{}});
 }
 

@@ -72,38 +72,37 @@ void right(const Row& normal, Row& slip, Row& roll, const Surfaces& surfaces) {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"a ball that is put on a belt is taken along, and rolls on it", 1,
+      {"a ball placed on a belt is carried along, and rolls on it", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Ball ball(random, random.between(6, 8));
          const Surfaces surfaces{.mu = rough(random), .lever = 0, .belt_a = random_belt(random)};
          const Vec3 after = ball.solved(surfaces, answer).velocity;
-         return {{"your ball on a belt sets off along x with", after.x(), "m/s"},
-                 {"your ball on a belt sets off along z with", after.z(), "m/s"}};
+         return {{"along x your ball on a belt starts to move at", after.x(), "m/s"},
+                 {"along z your ball on a belt starts to move at", after.z(), "m/s"}};
        },
-       "friction holds the slip of the surfaces. That is the slip of the bodies, and how the belts run under it along "
-       "the row's own t."},
-      {"a ball is taken along, whichever of the two bodies is the conveyor", 1,
+       "friction stops the slip of the surfaces. This is the slip of the bodies plus the relative speed of the belts "
+       "along the row's own t."},
+      {"a ball is carried along, whichever of the two bodies is the conveyor", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Ball ball(random, random.between(6, 8));
          const Surfaces surfaces{.mu = rough(random), .lever = 0, .belt_b = random_belt(random)};
-         return {{"your ball on a belt that is body B sets off along x with",
+         return {{"along x your ball, whose belt is body B, starts to move at",
                   ball.solved(surfaces, answer, false).velocity.x(), "m/s"}};
        },
-       "which body is A is decided by its index. The surface of A moves with v_A + belt_a, that of B with v_B + "
-       "belt_b, and the slip is the second minus the first."},
-      {"a belt that is too fast slips away under the ball, which gains μ Σλn / m", 2,
+       "the index decides which body is A. The surface of A moves at v_A + belt_a and the surface of B at v_B + "
+       "belt_b. The slip is the second minus the first."},
+      {"a belt that is too fast slips under the ball, which gains μ Σλn / m", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Ball slow(random, random.between(1, 2));
          Ball fast = slow;
          fast.velocity.x() = random.between(100, 120);
          const Surfaces surfaces{.mu = rough(random), .lever = 0, .belt_a = random.between(40, 50) * Vec3::UnitX()};
          return {{"your ball, which the belt leaves behind, gains", slow.solved(surfaces, answer).velocity.x(), "m/s"},
-                 {"your ball, which comes along faster than its belt, is braked by",
+                 {"your ball, which moves faster than its belt, is slowed by",
                   fast.velocity.x() - fast.solved(surfaces, answer).velocity.x(), "m/s"}};
        },
-       "friction gives at most μ Σλn, whichever way the surfaces slip. The sum of all corrections is bounded, not each "
-       "of them."},
-      {"where nothing rubs, a turn loses ϱ Σλn / I, and stops when it is less", 1,
+       "friction gives at most μ Σλn, in either direction. This bounds the accumulated impulse, not each correction."},
+      {"without friction, rolling resistance slows the spin by ϱ Σλn / I, and stops a slower spin", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Real lands = random.between(1, 2), lever = random.between(Real(0.01), Real(0.02));
          Ball fast(random, lands);
@@ -113,12 +112,12 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          slow.spin.x() = random.between(Real(0.4), Real(0.7)) * most;
          const Surfaces smooth{.mu = 0, .lever = lever, .belt_a = random_belt(random)};  // it slips away under the ball
          const auto turns = [&](const Ball& ball) { return ball.solved(smooth, answer).angular_velocity.x(); };
-         return {{"your ball, which turns fast on a smooth floor, turns more slowly by", fast.spin.x() - turns(fast),
-                  "rad/s"},
-                 {"your ball, which turns slowly on a smooth floor, turns on with", turns(slow), "rad/s"}};
+         return {{"on a smooth floor your ball, which spins fast, is slowed by", fast.spin.x() - turns(fast), "rad/s"},
+                 {"on a smooth floor your ball, which spins slowly, continues to spin at", turns(slow), "rad/s"}};
        },
-       "rolling resistance opposes the turn, with at most ϱ Σλn either way, whatever friction and the belt do."},
-      {"a ball that rolls is slowed by its rolling resistance, and keeps rolling", 2,
+       "rolling resistance opposes the spin with at most ϱ Σλn in either direction, whatever friction and the belt "
+       "do."},
+      {"rolling resistance slows a rolling ball, which keeps rolling", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Ball ball(random, random.between(1, 2));
          const Real speed = random.between(3, 6);
@@ -127,19 +126,20 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          ball.sweeps = 200;
          const Body after = ball.solved({rough(random), random.between(Real(0.01), Real(0.02))}, answer);
          return {{"your ball, which rolls, is slowed by", speed - after.velocity.x(), "m/s"},
-                 {"your ball, which rolls, is then turning with", after.angular_velocity.z(), "rad/s"}};
+                 {"your ball, which rolls, then spins at", after.angular_velocity.z(), "rad/s"}};
        },
-       "rolling resistance brakes the turn with ϱ Σλn, and friction, which holds the slip, brakes the way with it."},
-      {"a ball that cannot roll is taken along by a belt as a box is", 1,
+       "rolling resistance slows the spin with ϱ Σλn. Friction, which prevents slip, slows the ball's motion along "
+       "with it."},
+      {"a belt carries a ball that cannot roll like a box", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Ball ball(random, random.between(5, 6));
          ball.sweeps = 200;
          const Surfaces surfaces{Real(0.5), Real(1.2) * ball.radius, random_belt(random)};
          const Body after = ball.solved(surfaces, answer);
-         return {{"your ball, whose belt does not let it turn, sets off with", after.velocity.norm(), "m/s"},
-                 {"your ball, whose belt does not let it turn, turns with", after.angular_velocity.norm(), "rad/s"}};
+         return {{"your ball, which the belt cannot roll, starts to move at", after.velocity.norm(), "m/s"},
+                 {"your ball, which the belt cannot roll, spins at", after.angular_velocity.norm(), "rad/s"}};
        },
-       "where ϱ Σλn is enough to stop the turn, friction takes the ball along at the speed of the belt."},
+       "if ϱ Σλn is enough to stop the spin, friction brings the ball to the speed of the belt."},
   };
 }
 
@@ -147,10 +147,9 @@ Exercise exercise() {
   return exercise_of(
       "a conveyor belt, and rolling resistance",
       {"How fast does the surface of A move at the contact point, if A moves with v_A and its belt runs over it?",
-       "The surfaces slip with slip.speed() plus B's belt minus A's, along t = slip.n. Friction makes that 0, within "
-       "its bound.",
-       "Rolling resistance makes roll.speed() 0, within its own bound: minus and plus surfaces.lever times "
-       "normal.impulse."},
+       "The slip of the surfaces is slip.speed() plus the belt speed of B minus the belt speed of A, along t = slip.n. "
+       "Friction makes it 0, within its bound.",
+       "Rolling resistance makes roll.speed() 0, within its own bound of ± surfaces.lever times normal.impulse."},
       Answer{right});
 }
 

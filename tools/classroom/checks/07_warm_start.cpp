@@ -84,7 +84,7 @@ void put_elsewhere(Memory& memory, std::uint32_t body) {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"the latest force of a ball holds it in the next step, however long", 2,
+      {"the latest force on a ball holds it in the next step, however long that step is", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Balls balls(random, answer);
          const Real h = random.between(Real(0.01), Real(0.015)), ratio = random.between(Real(0.3), Real(0.6));
@@ -94,15 +94,15 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
              balls.memory,
              {balls.bearing(first, part, h), balls.bearing(left, part / 4, h), balls.bearing(right, part / 2, h)}, h);
          const Numbers speeds = balls.started({first, second, left, right}, ratio * h);
-         return {{"in a step of another length your ball starts with", speeds[0], "m/s"},
-                 {"your ball that touches for the first time starts with", speeds[1], "m/s"},
-                 {"your ball that touches in two points starts with", speeds[2], "m/s"},
-                 {"your ball that touches in two points starts to turn with",
+         return {{"in a step of another length your ball starts at", speeds[0], "m/s"},
+                 {"your ball that touches for the first time starts at", speeds[1], "m/s"},
+                 {"your ball that touches at two points starts at", speeds[2], "m/s"},
+                 {"your ball that touches at two points starts to rotate at",
                   balls.world.bodies[3].angular_velocity.z(), "rad/s"}};
        },
-       "a point starts with the force that it had in the latest step in which it touched. The impulse is that force "
-       "times the new h, and the whole id says which point it is."},
-      {"a point that is lost for a few steps comes back with its force", 2,
+       "a point starts with its force from the latest step in which it touched. The impulse is this force times the "
+       "new h. The whole id identifies the point."},
+      {"a point that is lost for a few steps gets its force back", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Balls balls(random, answer), quick = balls;
          for (int step = 0; step < 4; ++step)
@@ -110,28 +110,28 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          balls.nothing_touches(3, random.between(Real(0.0175), Real(0.019)));
          quick.keep({first}, some_part(random), Real(0.002));
          quick.nothing_touches(27, random.between(Real(0.00195), Real(0.0021)));
-         return {{"your ball, whose contact was lost for a while, starts with", balls.started({first}, Real(0.008))[0],
+         return {{"your ball, whose contact was lost for a while, starts at", balls.started({first}, Real(0.008))[0],
                   "m/s"},
-                 {"your ball, whose contact was lost for many short steps, starts with",
+                 {"your ball, whose contact was lost for many short steps, starts at",
                   quick.started({first}, Real(0.002))[0], "m/s"}};
        },
        "a point is remembered for 0.1 s after it last touched, with the force of that step. Its age is in seconds, and "
-       "grows by the dt of each step that goes by."},
-      {"a point that is lost for long is forgotten", 1,
+       "grows by the dt of each later step."},
+      {"a point that is lost for a long time is forgotten", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Balls balls(random, answer), slow = balls;
          balls.keep({first}, some_part(random), random.between(Real(0.015), Real(0.02)));
          balls.nothing_touches(8, random.between(Real(0.0175), Real(0.0235)));
          slow.keep({first}, some_part(random), Real(0.002));
          slow.nothing_touches(5, random.between(Real(0.043), Real(0.045)));
-         return {{"your ball, which was up and away for long, starts with",
+         return {{"your ball, which was in the air for a long time, starts at",
                   balls.started({first}, random.between(Real(0.005), Real(0.01)))[0], "m/s"},
-                 {"your ball, which was up and away for a few long steps, starts with",
+                 {"your ball, which was in the air for a few long steps, starts at",
                   slow.started({first}, random.between(Real(0.03), Real(0.04)))[0], "m/s"}};
        },
-       "0.1 s after it last touched, a point is forgotten. Whatever lay there has gone, and its impulse would be a "
-       "kick from the past."},
-      {"a body that is put elsewhere leaves its impulses behind, and nobody else does", 2,
+       "a point is forgotten 0.1 s after it last touched. An older impulse no longer supports anything and would only "
+       "kick the body."},
+      {"a body that is moved elsewhere loses its impulses, and other bodies keep theirs", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Balls balls(random, answer);
          const std::vector<ContactId> ids{first, second, {2, 3, 0}};
@@ -139,22 +139,21 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          balls.keep(ids, some_part(random), h);
          balls.answer.put_elsewhere(balls.memory, 2);
          const Numbers speeds = balls.started(ids, random.between(Real(0.5), Real(0.9)) * h);
-         return {{"your ball that has not been moved starts with", speeds[0], "m/s"},
-                 {"your ball that has been put elsewhere starts with", speeds[1], "m/s"},
-                 {"your ball that lay on it starts with", speeds[2], "m/s"}};
+         return {{"your ball that has not been moved starts at", speeds[0], "m/s"},
+                 {"your ball that has been moved elsewhere starts at", speeds[1], "m/s"},
+                 {"your ball that lay on the moved one starts at", speeds[2], "m/s"}};
        },
-       "its impulses held the body where it was. All points in which it is A or B are forgotten, and no others."},
+       "the impulses held the body where it was. Forget only the points where the body is A or B."},
   };
 }
 
 Exercise exercise() {
-  return exercise_of(
-      "a memory for steps of changing length, and for bodies that are put elsewhere",
-      {"guess: find the entry with this id. Its force was impulse / dt, with the dt of that entry.",
-       "keep, in this order: all entries grow older by dt; the points that touch are entered anew, with age 0, and "
-       "their older entries go; who is older than `lasts` goes.",
-       "put_elsewhere: an entry goes if one.id.body_a or one.id.body_b is the body."},
-      Answer{guess, keep, put_elsewhere});
+  return exercise_of("a memory for steps of changing length, and for bodies that are put elsewhere",
+                     {"guess: find the entry with this id. Its force was impulse / dt, with the dt of that entry.",
+                      "keep works in this order. First add dt to the age of all entries. Then replace the entries of "
+                      "all touching points, with age 0. Finally erase entries older than `lasts`.",
+                      "put_elsewhere: erase an entry if one.id.body_a or one.id.body_b is the body."},
+                     Answer{guess, keep, put_elsewhere});
 }
 
 }  // namespace pushback::exercise_07

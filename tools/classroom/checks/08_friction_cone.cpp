@@ -77,50 +77,49 @@ void right(Row& along, Row& across, const Skate& skate) {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"where μ is the same along and across, it is the disc of chapter 08", 1,
+      {"if μ is the same along and across, the ellipse is the disc of chapter 08", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
-         return {{"your skate, which is as rough along as across, slips on along its blade with",
+         return {{"your skate, which is as rough along as across, continues along its blade at",
                   sliding(random, true, answer).slip_along, "m/s", 1e-5}};
        },
        "with μ₁ = μ₂ the ellipse is a disc of radius μ Σλₙ, and friction is opposite to the slip."},
-      {"friction on a skate that slides is on the edge of its ellipse", 2,
+      {"the friction of a sliding skate is on the edge of its ellipse", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
-         return {{"friction on your sliding skate is what the ellipse allows for a normal impulse of",
+         return {{"the friction of your sliding skate is on the edge of the ellipse for a normal impulse of",
                   sliding(random, false, answer).normal_needed(), "N s", 1e-5}};
        },
-       "friction of a skate that slides is on the edge of the ellipse with the semi-axes μ₁ Σλₙ and μ₂ Σλₙ, so "
+       "the friction of a sliding skate is on the edge of the ellipse with the semi-axes μ₁ Σλₙ and μ₂ Σλₙ, so "
        "(λ₁/μ₁)² + (λ₂/μ₂)² = Σλₙ²."},
       {"the slip is at a right angle to the edge of the ellipse", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Board board = sliding(random, false, answer);
-         return {{"the slip of your skate is off the right angle to the edge of its ellipse by", board.off_normal(),
-                  "°", 1e-5},
-                 {"your skate slips on along its blade with", board.slip_along, "m/s", 1e-4}};
+         return {{"the angle between the slip of your skate and the normal of its ellipse is", board.off_normal(), "°",
+                  1e-5},
+                 {"your skate continues along its blade at", board.slip_along, "m/s", 1e-4}};
        },
-       "friction takes as much energy as it can, so the slip is at a right angle to the edge. Where sums are measured "
-       "in semi-axes, the slip is (μ₁u₁, μ₂u₂), and each k_ij is stretched by μ_i μ_j."},
-      {"a skate that friction can hold is held", 1,
+       "friction dissipates as much energy as it can, so the slip is at a right angle to the edge. If the sums are "
+       "measured in semi-axes, the slip is (μ₁u₁, μ₂u₂), and each k_ij is multiplied by μ_i μ_j."},
+      {"a skate stops if friction can hold it", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Board board(random);
          const Real speed = random.between(1, 2), heading = random.between(Real(0.5), Real(0.9));
          board.solve(speed, heading, 40 * board.mass, answer);
-         return {{"your skate, which friction can hold, slips on with", board.slip(), "m/s", 1e-5},
-                 {"friction gives your skate, which it can hold,", board.friction(), "N s", 1e-4}};
+         return {{"your skate, which friction can hold, slips at", board.slip(), "m/s", 1e-5},
+                 {"the friction of your skate, which it can hold, is", board.friction(), "N s", 1e-4}};
        },
-       "inside the ellipse friction is what stops the slip, and not more. 300 calls are enough to get there if the "
-       "step fits the block."},
+       "inside the ellipse, friction is exactly the impulse that stops the slip. 300 calls are enough to get there if "
+       "the step fits the block."},
   };
 }
 
 Exercise exercise() {
-  return exercise_of(
-      "a skate: an ellipse for the disc",
-      {"Measured in its own semi-axes, the ellipse is a disc: what is (λ₁/μ₁, λ₂/μ₂) bounded by?",
-       "Write y = (λ₁/μ₁, λ₂/μ₂). If y₁ grows by 1, the impulse grows by μ₁. By how much does the energy change, if "
-       "the slip is u? And by how much does that change again, with K_t?",
-       "So chapter 08's step is made in y: with the slip (μ₁u₁, μ₂u₂), and with a block whose k_ij is μ_i μ_j times "
-       "the old one."},
-      Answer{right});
+  return exercise_of("a skate: an ellipse instead of the disc",
+                     {"Measured in its own semi-axes, the ellipse is a disc. What bounds (λ₁/μ₁, λ₂/μ₂)?",
+                      "Write y = (λ₁/μ₁, λ₂/μ₂). If y₁ grows by 1, the impulse grows by μ₁. At which rate does the "
+                      "energy change with y if the slip is u? And how does this rate change in turn, with K_t?",
+                      "So take chapter 08's step in y, with the slip (μ₁u₁, μ₂u₂) and a block whose k_ij is μ_i μ_j "
+                      "times the old one."},
+                     Answer{right});
 }
 
 }  // namespace pushback::exercise_08

@@ -68,7 +68,7 @@ void right(const RoundRail& rail, const Body& a, const Body& b, Equations& rows)
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"a ball on a rail that does not move stays on it, after a single sweep, and slides on as it did", 2,
+      {"a ball stays on a fixed rail after a single sweep, and keeps its speed along it", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Railed railed(random, random_box(random).fixed(), sphere(Real(0.1), random.between(2, 10)), Vec3::Zero(),
                        answer);
@@ -77,11 +77,11 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          railed.b().velocity = outwards * out + off * axis + along * axis.cross(out);
          Solver<Joints> solver;
          solver.solve(railed.world, Real(0.02), 1);
-         return {{"your ball leaves the rail with", railed.speeds().head<2>().norm(), "m/s"},
-                 {"along the rail your ball goes with", railed.speeds().z(), "m/s"}};
+         return {{"your ball leaves the rail at", railed.speeds().head<2>().norm(), "m/s"},
+                 {"along the rail your ball moves at", railed.speeds().z(), "m/s"}};
        },
-       "the rail holds the ball in two directions, along its axis m and straight away from the axis. Each n is a unit "
-       "vector, and along the rail nothing holds."},
+       "the rail holds the ball in two directions: along the axis m, and straight away from the axis. Each n is a unit "
+       "vector. The rail gives no impulse along itself."},
       {"the slider of a box stays on the rail of another box, and angular momentum is conserved", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Railed railed = two_boxes(random, answer);
@@ -92,14 +92,14 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          const Vec3 before = railed.angular_momentum();
          Solver<Joints> solver;
          solver.solve(railed.world, Real(0.02), 2000);
-         return {{"seen from the rail, your slider leaves it with", railed.speeds().head<2>().norm(), "m/s"},
+         return {{"seen from the rail, your slider leaves it at", railed.speeds().head<2>().norm(), "m/s"},
                  {"the angular momentum of both boxes together changes by", (railed.angular_momentum() - before).norm(),
                   "N m s"},
-                 {"seen from the rail, your slider goes along it with", railed.speeds().z(), "m/s"}};
+                 {"seen from the rail, your slider moves along it at", railed.speeds().z(), "m/s"}};
        },
-       "both bodies feel the force at P, so both arms end there, and the rail turns with A. Two equal and opposite "
-       "forces at one point make no torque together."},
-      {"a slider that is off its rail comes back by the part β in a step", 2,
+       "the force acts on both bodies at P, so both arms end there, and the rail rotates with A. Two equal and "
+       "opposite forces at one point have no total torque."},
+      {"a slider that is off its rail comes back by the fraction β in each step", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Railed railed = two_boxes(random, answer);
          railed.b().position += random.between(Real(0.01), Real(0.015)) * railed.axis() +
@@ -107,21 +107,22 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          Solver<Joints> solver;
          solver.beta = random.between(Real(0.3), Real(0.6));
          railed.world.step(solver, Real(0.02), 2000);
-         return {{"after a step your slider is off the plane of its rail by", 1000 * railed.off_the_plane(), "mm", 0.3},
+         return {{"after a step the distance of your slider from the plane of its rail is",
+                  1000 * railed.off_the_plane(), "mm", 0.3},
                  {"after a step your slider is too far from the middle of its rail by",
                   1000 * (railed.across().norm() - railed.rail.radius), "mm", 0.3}};
        },
-       "C₁ = m · d and C₂ = ρ - R are lengths with a sign, and J V is how fast each grows. Then a step takes away the "
-       "part β, by forces that act on both bodies at P."},
+       "C₁ = m · d and C₂ = ρ - R are signed lengths, and J V is how fast each grows. Each step then removes the "
+       "fraction β, by forces that act on both bodies at P."},
   };
 }
 
 Exercise exercise() {
   return exercise_of("a slider on a round rail",
-                     {"Go round with A: seen from there, m and Q stand still, and C₁ and C₂ depend on where P "
-                      "is, on nothing else. In which direction does each grow by a metre a metre?",
-                      "n = m for the plane; n = (d - (m · d) m) / ρ for the ring. C' is n times the speed of P "
-                      "against the point of A that is at the same place now.",
+                     {"Use a frame that moves with A. There m and Q are fixed, and C₁ and C₂ depend only on the "
+                      "position of P. In which direction does each grow by one metre per metre?",
+                      "n = m for the plane, and n = (d - (m · d) m) / ρ for the ring. C' is n times the velocity of P "
+                      "relative to the point of A at the same place.",
                       "Both arms end at P: r_A = P - a.position, r_B = P - b.position."},
                      Answer{right});
 }

@@ -65,34 +65,35 @@ struct Breaking : Joints {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"a rod holds a load that it can bear", 1,
+      {"a rod holds a load if it is strong enough", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Real mass = random.between(2, 10), h = 1 / random.between(40, 100);
          Rods rods(answer);
          rods.add(mass, random.between(Real(0.3), Real(0.9)) * h * strength / mass, random);
          rods.solve(h);
-         return {{"your ball, whose rod can bear it, goes on with", rods.speed(0), "m/s"},
-                 {"your rods still hold", rods.held(), "kg"}};
+         return {{"your ball, whose rod is strong enough, continues at", rods.speed(0), "m/s"},
+                 {"the number of your unbroken rods is", rods.held(), "kg"}};
        },
-       "a rod that has to give less than h F in a step holds its ball, and is not broken."},
-      {"a rod that is pulled too hard takes h F off its load, and is gone", 2,
+       "a rod that needs less than the impulse h F in a step holds its ball and does not break."},
+      {"a rod that is pulled too hard slows its load by the impulse h F, and breaks", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const auto [first, second] = two_steps(random, random.between(Real(2.5), 4), answer);
          const auto far_too_fast = two_steps(random, random.between(150, 200), answer);
-         return {{"your ball, which pulls too hard at its rod, goes on with", first, "m/s"},
-                 {"in the next step your ball, whose rod is broken, goes on with", second, "m/s"},
-                 {"your ball, which is far too fast for its rod, goes on with", far_too_fast[0], "m/s"}};
+         return {{"your ball, which pulls its rod too hard, continues at", first, "m/s"},
+                 {"in the next step your ball, whose rod is broken, continues at", second, "m/s"},
+                 {"your ball, which is far too fast for its rod, continues at", far_too_fast[0], "m/s"}};
        },
-       "a rod cannot give more than h F in a step. One whose sum reaches that has taken h F off its load, and is gone "
-       "from the next step on."},
-      {"so is a rod that is pushed too hard", 2,
+       "a rod cannot give more than the impulse h F in a step. If its accumulated impulse reaches this limit, the rod "
+       "breaks and is gone from the next step on."},
+      {"a rod that is pushed too hard also breaks", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const auto [first, second] = two_steps(random, -random.between(Real(2.5), 4), answer);
-         return {{"your ball, which pushes too hard at its rod, comes on with", -first, "m/s"},
-                 {"in the next step your ball, whose rod is broken, comes on with", -second, "m/s"}};
+         return {{"your ball, which pushes its rod too hard, continues at", -first, "m/s"},
+                 {"in the next step your ball, whose rod is broken, continues at", -second, "m/s"}};
        },
-       "a rod is pushed as well as pulled. Its sum is between -h F and h F, and either limit breaks it."},
-      {"of several rods those break that bear too much", 3,
+       "a rod is pushed as well as pulled. Its accumulated impulse is between -h F and h F, and it breaks at either "
+       "limit."},
+      {"of several rods, only the overloaded ones break", 3,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Real h = 1 / random.between(40, 100);
          Rods rods(answer);
@@ -107,22 +108,24 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          Body& next = rods.world.bodies[3];
          next.velocity = Real(0.7) * h * strength * next.inverse_mass * rods.away[3];
          rods.solve(h / 2);
-         return {{"of six balls, two pull too hard and one sleeps; your rods still hold", held, "kg"},
-                 {"in a step of half the length one more pulls too hard; your rods still hold", rods.held(), "kg"}};
+         return {{"with two of six balls too fast and one asleep, the number of your unbroken rods is", held, "kg"},
+                 {"after a step of half the length, in which one more ball is too fast, the number of your unbroken "
+                  "rods is",
+                  rods.held(), "kg"}};
        },
-       "each rod bears F, with the h of this step. Those go whose own row has reached a limit, row.owner is the index "
-       "of their joint, and the others stay in their order."},
+       "each rod can carry F, with the h of this step. Remove the joints whose own row has reached a limit. row.owner "
+       "is the index of the joint. The other joints stay in their order."},
   };
 }
 
 Exercise exercise() {
   return exercise_of(
       "a joint that breaks",
-      {"F is a force, and a row sums impulses. What is the most that a force of F does in a step of h, pulled or "
-       "pushed?",
-       "A sum with limits never exceeds them. What tells a rod that gave all it can from one that holds?",
-       "std::vector::erase moves all that is behind. From the last row to the first, no index is wrong before its "
-       "turn."},
+      {"F is a force, and a row accumulates impulses. What is the largest impulse of a force F in a step of h, for a "
+       "pull and for a push?",
+       "The accumulated impulse never exceeds its limits. How do you tell a rod at its limit from a rod that holds?",
+       "std::vector::erase shifts all later elements. If you go from the last row to the first, each index is still "
+       "right when you use it."},
       Answer{Breaking{}});
 }
 

@@ -87,56 +87,56 @@ struct Step {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"a step that is solved has the residual 0, and no other has", 2,
+      {"the residual is 0 only for a solved step", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Step step(random, {separating(random), sticking(random), sliding(random)});
          const Reading solved =
              step.residual("three solved contacts, one separating, one sticking and one sliding", answer);
          step.r *= 1.1;
-         return {solved, step.residual("the same contacts with impulses that are a tenth too large", answer)};
+         return {solved, step.residual("the same contacts with impulses that are one tenth too large", answer)};
        },
-       "where a step is solved, the point of the cone nearest to r - (u + μ |u_t| n) is r itself. How far it is "
-       "otherwise is divided by |q|, and both lengths are Euclid's."},
+       "if a step is solved, r itself is the point of the cone nearest to r - (u + μ |u_t| n). Otherwise the residual "
+       "is the distance between the two, divided by |q|. Both lengths are Euclidean."},
       {"a contact that separates has no impulse", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Step step(random, {pushed_apart(random)});
-         return {step.residual("a contact that separates and is pushed all the same", answer)};
+         return {step.residual("a contact that separates but still pushes", answer)};
        },
-       "a contact that separates has no impulse. Its error is how far r is from the point of the cone nearest to r - "
-       "(u + μ |u_t| n)."},
-      {"friction is within its cone", 1,
+       "a contact that separates has no impulse. Its error is the distance from r to the point of the cone nearest to "
+       "r - (u + μ |u_t| n)."},
+      {"friction stays within its cone", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Step step(random, {rubbed(random, -between(random, 0.2, 0.8))});
-         return {step.residual("a resting contact that pulls a little, and rubs a lot", answer)};
+         return {step.residual("a resting contact that pulls a little and has a lot of friction", answer)};
        },
-       "friction is at most μ times the push. The nearest point is on the edge of the cone then, with the normal "
-       "impulse (x_n + μ |x_t|) / (1 + μ²), also where x pulls a little."},
+       "friction is at most μ times the normal impulse. Then the nearest point is on the edge of the cone, with the "
+       "normal impulse (x_n + μ |x_t|) / (1 + μ²), even if x pulls a little."},
       {"friction opposes the slip", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Step step(random, {unrubbed(random)});
          return {step.residual("a contact that slides without friction", answer)};
        },
-       "friction opposes the slip. With μ |u_t| in the normal speed, a contact that slides without friction is not "
-       "solved."},
-      {"all contacts are one error", 1,
+       "friction opposes the slip. With μ |u_t| added to the normal speed, a contact that slides without friction is "
+       "not solved."},
+      {"the residual covers all contacts together", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const State apart = pushed_apart(random), rests = rubbed(random, between(random, 1, 2));
          const Step step(random, {apart, rests, unrubbed(random)});
          return {step.residual("three contacts, each wrong in another way", answer)};
        },
-       "all contacts are one vector, each with its own μ. The error is the root of the sum of their squares."},
+       "all contacts form one vector, each with its own μ. The error is the root of the sum of their squares."},
   };
 }
 
 Exercise exercise() {
   return rebuild_of(
       "the residual by the natural map",
-      {"Contact by contact: s is u with μ |u_t| added to its first number. Which point of the cone is nearest to x = r "
-       "- s? If that is r itself, the contact is solved.",
-       "Three cases. x is in the cone if |x_t| ≤ μ x_n: it is the nearest point itself. If μ |x_t| ≤ -x_n, it is 0. "
-       "Otherwise the nearest point lies on the edge, in the direction of x_t.",
-       "On the edge: x_n' = (x_n + μ |x_t|) / (1 + μ²), and x_t' has the length μ x_n'. Add the squares of r - x' over "
-       "all contacts; the residual is the root of the sum, divided by problem.q.norm()."},
+      {"For each contact, s is u with μ |u_t| added to its first component. Which point of the cone is nearest to x = "
+       "r - s? If it is r itself, the contact is solved.",
+       "There are three cases. If |x_t| ≤ μ x_n, x is in the cone and is the nearest point itself. If μ |x_t| ≤ -x_n, "
+       "the nearest point is 0. Otherwise the nearest point lies on the edge, in the direction of x_t.",
+       "On the edge, x_n' = (x_n + μ |x_t|) / (1 + μ²), and x_t' has the length μ x_n'. Add the squares of r - x' over "
+       "all contacts. The residual is the root of this sum, divided by problem.q.norm()."},
       Answer{relative_residual});
 }
 

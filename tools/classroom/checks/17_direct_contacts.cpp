@@ -98,30 +98,30 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          const Index left = answer.pivot(tableau, entering);
          const double entered = values_of(tableau)[static_cast<std::size_t>(entering)];
          return {{"the number of the variable that leaves is", left},
-                 {"the variable that enters becomes", entered},
-                 {"the least value in your tableau is", tableau.t.rightCols<1>().minCoeff()}};
+                 {"the value of the variable that enters becomes", entered},
+                 {"the smallest value in your tableau is", tableau.t.rightCols<1>().minCoeff()}};
        },
-       "the first variable to reach 0 leaves, which is the least value / entry among positive entries. With any other "
-       "one a value becomes negative, and a contact pulls."},
-      {"the equations say the same as before", 1,
+       "the first variable to reach 0 leaves. It has the smallest value / entry among the rows with a positive entry. "
+       "With any other row a value becomes negative, so a contact pulls."},
+      {"the equations stay equivalent", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          auto [tableau, entering] = scene(random);
          answer.pivot(tableau, entering);
          return {{"the entries of your tableau add up to", tableau.t.sum(), "", 1e-5},
-                 {"your values, the last column, add up to", tableau.t.rightCols<1>().sum(), "", 1e-5}};
+                 {"the values in your last column add up to", tableau.t.rightCols<1>().sum(), "", 1e-5}};
        },
-       "the row of the one that leaves is solved for the entering variable and put into all others. A pivot writes the "
-       "same equations in another way, the last column included."},
-      {"where no variable ever reaches 0, none leaves", 1,
+       "solve the leaving variable's row for the entering variable, and substitute the result into all other rows. A "
+       "pivot rewrites the same equations, including the last column."},
+      {"if no variable ever reaches 0, none leaves", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          auto [tableau, entering] = ray(random);
          const Index left = answer.pivot(tableau, entering);
          return {{"the number of the variable that leaves is", left},
                  {"the entries of your tableau add up to", tableau.t.sum(), "", 1e-5}};
        },
-       "a variable whose entry is not positive never reaches 0. Where all are like that none leaves, -1, and the "
-       "tableau stays as it is."},
-      {"pivot after pivot, all contacts are solved", 2,
+       "a variable whose entry is not positive never reaches 0. If this holds for all, no variable leaves, you return "
+       "-1, and the tableau stays as it is."},
+      {"repeated pivots solve all contacts", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Index n = static_cast<Index>(40 + random.below(10));
          Eigen::MatrixXd mixed(n, n);
@@ -131,21 +131,20 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          return solved(mixed * mixed.transpose() / static_cast<double>(n) + 0.1 * Eigen::MatrixXd::Identity(n, n), b,
                        answer);
        },
-       "pivot after pivot the first to reach 0 leaves and is given back, since its partner enters next, and the basis "
-       "says which variable each row is solved for."},
+       "in each pivot, return the first variable to reach 0, because its partner enters next. The basis lists the "
+       "variable that each row is solved for."},
   };
 }
 
 Exercise exercise() {
-  return rebuild_of(
-      "one pivot",
-      {"A basic variable has the value t(i, last), and falls by t(i, entering) for each 1 that the entering one grows. "
-       "At which size of the entering one is it 0, and for which signs never?",
-       "The row with the least t(i, last) / t(i, entering) among those with t(i, entering) > 0. If there is none, give "
-       "back -1. Begin with no row, not with row 0.",
-       "Divide that row by its entry under `entering`. Then take it away from each other row, times that row's entry "
-       "under `entering`. Remember basis[row], write `entering` into it, and give back what you remembered."},
-      Answer{right});
+  return rebuild_of("one pivot",
+                    {"A basic variable has the value t(i, last), and falls by t(i, entering) if the entering one grows "
+                     "by 1. At which value of the entering one does it reach 0, and for which signs never?",
+                     "Choose the row with the smallest t(i, last) / t(i, entering) among those with t(i, entering) > "
+                     "0. If there is none, return -1. Start with no row, not with row 0.",
+                     "Divide that row by its entry under `entering`. Subtract it from each other row, times that row's "
+                     "entry under `entering`. Save basis[row], write `entering` into it, and return the saved number."},
+                    Answer{right});
 }
 
 }  // namespace pushback::exercise_17

@@ -59,8 +59,8 @@ struct Chain {
     const JointRows& rows = solver.joint_rows();
     Real apart = 0;
     for (const JointRow& row : rows) apart = std::max(apart, std::abs(row.speed_error()));
-    return {{"your hook bears", Vec3(rows[0].impulse, rows[1].impulse, rows[2].impulse).norm(), "N s", 1e-5},
-            {"your joints still come apart with", apart, "m/s"}};
+    return {{"the force on your hook is", Vec3(rows[0].impulse, rows[1].impulse, rows[2].impulse).norm(), "N s", 1e-5},
+            {"the remaining separation speed of your joints is", apart, "m/s"}};
   }
 };
 
@@ -85,7 +85,7 @@ Threes right(Blocks own, const Blocks& next, Threes wanted) {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"the hook bears what all links weigh", 1,
+      {"the hook carries the weight of all links", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Chain chain;
          for (std::size_t left = 3 + random.below(4); left > 0; --left) {
@@ -94,37 +94,37 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          }
          return chain.solved(answer);
        },
-       "the hook bears all links because each joint hands on what hangs below it: from the free end up, a block and a "
-       "wanted speed are eliminated from those above."},
-      {"a crooked chain that is let go stays together", 2,
+       "each joint passes on the load below it, so the hook carries all links. From the free end up, eliminate each "
+       "joint's block and target speed from the joint above."},
+      {"a crooked chain stays together when it is released", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Chain chain;
          for (std::size_t left = 4 + random.below(5); left > 0; --left) chain.hang_crooked(random);
          return chain.solved(answer);
        },
-       "next[i] says what joint i + 1 does to joint i, and its transpose what joint i does to joint i + 1. In a "
-       "crooked chain the two differ, on the way up and on the way back."},
-      {"a long chain bears a thousandfold load", 1,
+       "next[i] couples joint i + 1 to joint i, and its transpose couples joint i to joint i + 1. In a crooked chain "
+       "the two differ, both on the way up and on the way back."},
+      {"a long chain carries a thousandfold load", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Chain chain;
          for (std::size_t left = 15 + random.below(10); left > 0; --left) chain.hang_crooked(random);
          chain.hang(random.between(1000, 2000), 1);
          return chain.solved(answer);
        },
-       "a load that hangs below comes up to the hook only if each joint is eliminated with its block and its speed as "
-       "the joints below have left them."},
+       "the load at the free end reaches the hook only if you eliminate each joint with its updated block and target "
+       "speed, after the elimination of the joints below."},
   };
 }
 
 Exercise exercise() {
-  return rebuild_of(
-      "the elimination of a chain",
-      {"Row i of A λ = wanted: next[i-1]ᵀ λ_i-1 + own[i] λ_i + next[i] λ_i+1 = wanted[i]. At the free end there is no "
-       "λ_i+1: solve for λ_i, and put that into row i - 1.",
-       "That changes only row i - 1: own[i-1] loses next[i-1] own[i]⁻¹ next[i-1]ᵀ, and wanted[i-1] loses next[i-1] "
-       "own[i]⁻¹ wanted[i]. Go on with i - 1, down to 1.",
-       "Now the hook's row has only λ_0. Solve it; then each next joint: own[i] λ_i = wanted[i] - next[i-1]ᵀ λ_i-1."},
-      Answer{right});
+  return rebuild_of("the elimination of a chain",
+                    {"Row i of A λ = wanted is next[i-1]ᵀ λ_i-1 + own[i] λ_i + next[i] λ_i+1 = wanted[i]. At the free "
+                     "end there is no λ_i+1, so solve for λ_i and substitute it into row i - 1.",
+                     "This changes only row i - 1. Subtract next[i-1] own[i]⁻¹ next[i-1]ᵀ from own[i-1] and next[i-1] "
+                     "own[i]⁻¹ wanted[i] from wanted[i-1]. Continue with i - 1, down to 1.",
+                     "Now the hook's row contains only λ_0. Solve it, and then each next joint: own[i] λ_i = wanted[i] "
+                     "- next[i-1]ᵀ λ_i-1."},
+                    Answer{right});
 }
 
 }  // namespace pushback::exercise_18

@@ -50,7 +50,7 @@ std::vector<Reading> readings_of(const Measurements& front) {
     if (std::isfinite(one.error)) error += one.error;
   }
   return {{"the number of settings on your front is", front.size()},
-          {"the settings on your front take together", 1000 * seconds, "ms", 1e-4},
+          {"the times of the settings on your front add up to", 1000 * seconds, "ms", 1e-4},
           {"the errors on your front add up to", 1000 * error, "mm", 1e-4}};
 }
 
@@ -58,7 +58,7 @@ std::vector<Reading> readings_of(const Measurements& front) {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"a setting that another beats in both is not on the front", 1,
+      {"a setting is not on the front if another one is better in both", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Measurements best = unbeaten(random);
          best[1].seconds.back() *= 10;  // unlucky, once
@@ -70,9 +70,9 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          all.push_back(lucky);
          return readings_of(answer.front(all));
        },
-       "on the front are exactly those settings that no other beats. The time that counts is the median of all rounds, "
-       "which does not mind one of them."},
-      {"of settings that are equal in one, only the best in the other is on the front", 2,
+       "the front contains exactly the settings that no other setting beats. Compare median times over all rounds, "
+       "because one slow round does not change a median."},
+      {"of settings with the same time or error, only the best in the other one is on the front", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Measurements best = unbeaten(random);
          Measured as_fast = best[1], as_good = best[2];
@@ -83,9 +83,8 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          all.insert(all.end(), best.begin(), best.end() - 1);
          return readings_of(answer.front(all));
        },
-       "a setting that is as fast as another and more accurate beats it, and so does one that is as accurate and "
-       "faster."},
-      {"a motion that was lost is not on the front, however fast", 1,
+       "a setting beats another one if it is as fast and more accurate, or as accurate and faster."},
+      {"a motion that was lost is not on the front, however fast it was", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Measurements best = unbeaten(random);
          const double fastest = best.front().median() * random.between(Real(0.3), Real(0.6));
@@ -93,27 +92,27 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          all.insert(all.end(), best.begin(), best.end() - 1);
          return readings_of(answer.front(all));
        },
-       "a motion that was lost has an infinite error. However fast it is, nothing that it says is true."},
+       "a motion that was lost has an infinite error. Its time does not count, because its result is wrong."},
       {"the front goes from the fastest to the most accurate", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Measurements all = unbeaten(random);
          std::rotate(all.begin(), all.begin() + 1, all.end());
          Measurements front = answer.front(all);
          if (front.empty()) front.push_back(measured(0, 0));
-         return {{"your front begins with a setting that takes", 1000 * front.front().median(), "ms", 1e-4},
-                 {"your front ends with a setting that takes", 1000 * front.back().median(), "ms", 1e-4}};
+         return {{"the time of the first setting on your front is", 1000 * front.front().median(), "ms", 1e-4},
+                 {"the time of the last setting on your front is", 1000 * front.back().median(), "ms", 1e-4}};
        },
-       "the front goes by time, from the fastest to the most accurate."},
+       "the front is sorted by time, from the fastest to the most accurate."},
   };
 }
 
 Exercise exercise() {
   return rebuild_of("the front of a diagram",
-                    {"Leave out first what has an infinite error: std::isfinite.",
-                     "Put the others in the order of their times; of equal times, the smaller error first. A "
-                     "std::pair of both compares so.",
-                     "Go through them in that order. Nobody who comes later is faster, so a setting belongs "
-                     "to the front exactly if its error is smaller than that of the last one that you took."},
+                    {"First leave out settings with an infinite error, by std::isfinite.",
+                     "Sort the others by their times, and settings with equal times by their errors. A std::pair of "
+                     "both compares in this way.",
+                     "Go through them in this order. No later setting is faster, so a setting belongs to the front "
+                     "exactly if its error is smaller than the error of the last one you took."},
                     Answer{study::front});
 }
 

@@ -56,24 +56,25 @@ double right(double speed, double slope, double mu, double t) {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"on the way up, its weight and friction brake it", 1,
+      {"on the way up, weight and friction slow the box", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
-         return {{"on its way up your box is at",
+         return {{"on its way up the position of your box is",
                   push_of(random, between(random, 0.3, 0.7), between(random, 0.4, 0.9)).asked(answer), "m"}};
        },
-       "on the way up weight and friction both brake the box, with g sin and μ g cos of the slope. It is at v t - a "
-       "t²/2."},
-      {"where friction holds it, it stays", 1,
+       "on the way up, weight and friction both slow the box, by g sin and μ g cos of the slope. Its position is v t - "
+       "a t²/2."},
+      {"if friction can hold the box, it stays", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Push stays = push_of(random, between(random, 1.2, 1.6), between(random, 2, 3));
          Push rests = stays;
          rests.speed = 0;
-         return {{"long after it has stopped, your box, which friction holds, is at", stays.asked(answer), "m"},
-                 {"your box that starts at rest, and that friction holds, is at", rests.asked(answer), "m"}};
+         return {{"long after it has stopped, the position of your box, which friction holds, is", stays.asked(answer),
+                  "m"},
+                 {"the position of your box that starts at rest and that friction holds is", rests.asked(answer), "m"}};
        },
-       "where μ is more than the tangent of the slope, friction bears all that pulls the box down, and just that. The "
+       "if μ is larger than the tangent of the slope, friction balances exactly the force that pulls the box down. The "
        "box stays where it stopped."},
-      {"where friction does not hold it, it slides back", 2,
+      {"if friction cannot hold the box, it slides back", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Push back = push_of(random, between(random, 0.3, 0.6), between(random, 3, 4));
          Push nearly = push_of(random, 1, 0), starts = push_of(random, between(random, 0.3, 0.6), 0);
@@ -82,38 +83,40 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          nearly.t = between(random, 3, 4) * nearly.turn();
          starts.speed = 0;
          starts.t = between(random, 0.5, 1);
-         return {{"after it has stopped your box, which slides back, is at", back.asked(answer), "m"},
-                 {"your box, which slides back and which friction nearly holds, is at", nearly.asked(answer), "m"},
-                 {"your box that starts at rest, and that friction does not hold, is at", starts.asked(answer), "m"}};
+         return {{"after it has stopped, the position of your box, which slides back, is", back.asked(answer), "m"},
+                 {"the position of your box, which slides back and which friction almost holds, is",
+                  nearly.asked(answer), "m"},
+                 {"the position of your box that starts at rest and that friction does not hold is",
+                  starts.asked(answer), "m"}};
        },
-       "where μ is less than the tangent of the slope, the box slides back from rest, from where it stopped and from "
-       "that moment on. Friction opposes the motion, so it pulls up then."},
-      {"without friction it comes back as it went", 1,
+       "if μ is smaller than the tangent of the slope, the box slides back. It starts from rest, at the place and the "
+       "moment of its stop. Friction opposes this motion, so it now points up the slope."},
+      {"without friction the box comes back just as it went up", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
-         return {{"without friction your box is on its way back at",
+         return {{"without friction, on its way back, the position of your box is",
                   push_of(random, 0, between(random, 1.2, 1.8)).asked(answer), "m"}};
        },
-       "without friction the acceleration is g sin of the slope, up and down, all the time."},
-      {"a solver comes nearer to it with shorter steps", 1,
+       "without friction the acceleration is g sin of the slope all the time, both up and down."},
+      {"a simulation with shorter steps is nearer to the truth", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Push push = push_of(random, between(random, 0.1, 0.3), 0);
          push.speed = between(random, 1, 2);  // it has stopped after 0.3 s at most
-         return {{"a simulation with 2 substeps is away from your truth by", off(push, 2, answer), "mm", 1e-2},
-                 {"a simulation with 8 substeps is away from your truth by", off(push, 8, answer), "mm", 1e-2}};
+         return {{"the distance of a simulation with 2 substeps from your truth is", off(push, 2, answer), "mm", 1e-2},
+                 {"the distance of a simulation with 8 substeps from your truth is", off(push, 8, answer), "mm", 1e-2}};
        },
-       "a simulation comes nearer to the truth with shorter steps. This box goes up, stops and slides back, and where "
-       "your truth is wrong, the simulation stays away from it."},
+       "a simulation comes nearer to the truth with shorter steps. This box goes up, stops and slides back. If your "
+       "truth is wrong, the simulation keeps a distance from it."},
   };
 }
 
 Exercise exercise() {
   return exercise_of(
       "a truth of one's own",
-      {"Three motions: up, held, back. Which force acts along the slope in each, and when does one end?",
-       "A truth knows no steps. Work out when the box stops and how far up it is then; the way back begins there, at "
-       "that moment.",
-       "Whether it is held is a question of two forces: what pulls it down the slope, and the most that friction can "
-       "bear."},
+      {"The box has three motions: up, held, back. Which force acts along the slope in each, and when does each end?",
+       "An exact solution needs no steps. Compute when the box stops and how far up it is at that moment. There its "
+       "way back begins.",
+       "To decide whether it is held, compare two forces: the one that pulls it down the slope, and the largest one "
+       "that friction can give."},
       Answer{right});
 }
 

@@ -41,7 +41,8 @@ struct Piles {
       ++count;
       if (world.bodies[i].movable()) mass += 1 / world.bodies[i].inverse_mass;
     }
-    return {{"the number of bodies asleep is", count}, {"those asleep in your world weigh together", mass, "kg", 1e-3}};
+    return {{"the number of bodies asleep is", count},
+            {"the total mass of the sleeping bodies in your world is", mass, "kg", 1e-3}};
   }
 };
 
@@ -66,7 +67,7 @@ std::vector<bool> right(const World& world, const std::vector<bool>& rests) {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"a pile that rests sleeps, though another on the same ground moves", 1,
+      {"a resting pile sleeps although another one on the same ground moves", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Piles piles(random);
          piles.pile(2 + random.below(3), true);
@@ -74,9 +75,9 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          piles.pile(1, true);
          return piles.asleep(answer);
        },
-       "the ground passes nothing on, since nothing moves it. Each pile on it is an island of its own, and so is a "
-       "single box."},
-      {"nobody in a pile sleeps while its top moves", 1,
+       "the ground does not connect islands, because nothing moves it. Each pile on it is an island of its own, and so "
+       "is a single box."},
+      {"no body of a pile sleeps while the top moves", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Piles piles(random);
          for (const std::size_t boxes : {4 + random.below(3), std::size_t(2)})
@@ -84,9 +85,9 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          piles.pile(2 + random.below(2), true);
          return piles.asleep(answer);
        },
-       "an island sleeps and wakes as a whole. If one of its bodies moves, none of them sleeps, or what lies on others "
-       "would hang in mid-air."},
-      {"it does not matter in which order contacts come", 1,
+       "an island sleeps and wakes as a whole. If one of its bodies moves, none of them sleeps. Otherwise the bodies "
+       "on top could hang in mid-air."},
+      {"the order of the contacts does not matter", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Piles piles(random);
          const int first = piles.add(false);
@@ -99,9 +100,9 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          piles.pile(2, true);
          return piles.asleep(answer);
        },
-       "an island is all that can be reached from body to body, however many contacts away and in whichever order they "
-       "come."},
-      {"bodies that are joined sleep and wake together; those that hang on the same fixed beam need not", 1,
+       "an island contains all bodies that you can reach from body to body, over any number of contacts and in any "
+       "order of the contacts."},
+      {"joined bodies sleep and wake together, but bodies that hang on the same fixed beam need not", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Piles piles(random);
          const int beside = piles.pile(1, true), moves = piles.pile(1, false), towed = piles.pile(1, true),
@@ -120,17 +121,17 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          piles.join(piles.add(true), turning);
          return piles.asleep(answer);
        },
-       "a joint holds two bodies together as a contact does. A body that nothing moves passes nothing on by either of "
-       "them, and does not sleep."},
+       "a joint connects two bodies just as a contact does. A body that nothing moves does not connect islands, and "
+       "does not sleep."},
   };
 }
 
 Exercise exercise() {
   return rebuild_of(
       "islands",
-      {"Give each body a number, at first its own index. Bodies of one island are to end with the same number.",
-       "For each contact and each joint of two movable bodies with different numbers: everybody who has the one number "
-       "gets the other, not only the two that touch.",
+      {"Give each body a number, at first its own index. In the end, bodies of one island should have the same number.",
+       "For each contact and each joint of two movable bodies with different numbers, give one number to all bodies "
+       "that have the other one, not only to the two that touch.",
        "An island is awake if one of its movable bodies does not rest. All other movable bodies sleep."},
       Answer{right});
 }

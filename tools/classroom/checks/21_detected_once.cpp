@@ -70,23 +70,22 @@ constexpr Answer right{[](const Found& found, const Moved& a, const Moved& b) ->
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"where bodies only shift, the separation is exact", 1,
+      {"for bodies that only shift, the separation is exact", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Found found = some_contact(random);
          const Moved a{some_way(random), Vec3::Zero()}, b{some_way(random), Vec3::Zero()};
-         return {{"your separation, of two bodies that have shifted, is", 1000 * answer.separation(found, a, b), "mm"}};
+         return {{"your separation of two shifted bodies is", 1000 * answer.separation(found, a, b), "mm"}};
        },
-       "C began at found.C and grows by what B has moved along n more than A."},
-      {"turns count along the normal with their arms", 1,
+       "C starts at found.C, and grows by the motion of B along n minus the motion of A."},
+      {"rotations count along the normal, with their arms", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Found found = some_contact(random);
          const Moved a{some_way(random), some_way(random)}, b{some_way(random), some_way(random)};
-         return {{"your separation, of two bodies that have shifted and turned, is",
-                  1000 * answer.separation(found, a, b), "mm"}};
+         return {{"your separation of two shifted and rotated bodies is", 1000 * answer.separation(found, a, b), "mm"}};
        },
-       "a body that has turned by Δθ has moved its point at arm r by Δθ × r, too. Each of the two bodies has its own "
-       "turn and its own arm, and only what lies along n counts."},
-      {"a ball that arrives within the step falls freely until then, and is met at the surface", 2,
+       "the rotation Δθ also moves the point at arm r by Δθ × r. Each of the two bodies has its own rotation and its "
+       "own arm, and only the motion along n counts."},
+      {"a ball that arrives within the step falls freely until then, and stops at the surface", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Real to_go = random.between(Real(3.3), Real(3.7)), fall = random.between(8, 10);
          Ball ball(random, to_go, fall);
@@ -96,36 +95,36 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          constexpr Real most = 1e6;                            // no row at all asks for infinity
          const Real h = random.between(Real(0.5), Real(0.7));  // in a short one C h is as good as 0
          const Real small = std::min(most, answer.bias(random.between(Real(0.0003), Real(0.0009)), ball.rate, h));
-         return {{"your ball, a substep before it arrives, falls with", before, "m/s"},
-                 {"your ball, which has arrived, ends the step at a height of", ball.height(), "mm"},
-                 {"where a gap is less than a millimetre and h half a second or more, your b is", small, "m/s"}};
+         return {{"one substep before it arrives, your ball falls at", before, "m/s"},
+                 {"after the step, the height of your ball, which has arrived, is", ball.height(), "mm"},
+                 {"with a gap of less than a millimetre and h of half a second or more, your b is", small, "m/s"}};
        },
-       "what is apart may come nearer by all of C in this substep, at C/h. With less it is braked in the air, with "
-       "more it falls through the surface."},
-      {"a ball that is too deep comes out by a part in each substep, and keeps no speed of it", 1,
+       "bodies that are apart may close the whole gap C in this substep, at C/h. At a lower speed they are slowed in "
+       "the air, and at a higher one they pass through the surface."},
+      {"a ball that is too deep comes out by a fraction in each substep, and does not keep this speed", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Ball ball(random, 0, 0);
          ball.gap = -random.between(Real(0.01), Real(0.02));
          ball.world.bodies[1].position.y() = ball.radius + ball.gap;
          ball.world.gravity.setZero();
          ball.substeps(4, answer);
-         return {{"your ball, which was too deep, has after four substeps a height of", ball.height(), "mm"},
-                 {"your ball, which was too deep, moves on with", ball.speed(), "m/s"},
-                 {"where a substep began with a gap and ends with an overlap, your b of the relaxing pass is",
+         return {{"after four substeps, the height of your ball, which was too deep, is", ball.height(), "mm"},
+                 {"your ball, which was too deep, continues at", ball.speed(), "m/s"},
+                 {"if a substep begins with a gap and ends with an overlap, your b of the relaxing pass is",
                   answer.relaxed_bias(random.between(1, 2), Real(-0.001), ball.h), "m/s"}};
        },
-       "an overlap is pushed out at rate · C, and the relaxing pass takes that speed away again. It goes by how the "
-       "substep began: a b < 0 becomes 0, and a b > 0 stays."},
+       "an overlap is pushed out at rate · C, and the relaxing pass removes this speed again. It depends on the start "
+       "of the substep: b < 0 becomes 0, and b > 0 stays."},
   };
 }
 
 Exercise exercise() {
-  return rebuild_of("the separation of contacts that stay, and what their rows ask for",
-                    {"The point of B has moved by b.way + b.turn × found.arm_b, the point of A likewise. C "
-                     "grows by what B's moved more than A's, along found.n.",
-                     "What is apart, C > 0, may come nearer by all of C in this substep: b = C/h. What "
-                     "overlaps is pushed out: b = rate · C.",
-                     "In the relaxing pass a push-out, b < 0, becomes 0. A b > 0 stays as it was."},
+  return rebuild_of("the separation of contacts that persist, and the target speeds of their rows",
+                    {"The point of B has moved by b.way + b.turn × found.arm_b, and the point of A likewise. C grows "
+                     "by the motion of B's point minus the motion of A's point, along found.n.",
+                     "If C > 0, the bodies are apart and may close all of C in this substep: b = C/h. If they overlap, "
+                     "they are pushed out: b = rate · C.",
+                     "In the relaxing pass, a push-out b < 0 becomes 0, and b > 0 stays as it was."},
                     right);
 }
 

@@ -76,47 +76,44 @@ Colours right(const Pairs& pairs, const Movable& movable) {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"pairs of one colour meet in no body, so no push is lost", 2,
+      {"pairs of one colour share no body, so no push is lost", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Graph graph = some_graph(random, 0);
          const Colours colours = colours_by(answer, graph);
-         return {{"in your colouring two pairs of one colour meet in a body", clashes(graph, colours), "times", 0.5},
-                 {"the colours of your pairs, added up, are", sum_of(colours)}};
+         return {{"in your colouring, two pairs of one colour share a body", clashes(graph, colours), "times", 0.5},
+                 {"the colours of your pairs add up to", sum_of(colours)}};
        },
-       "two pairs of one colour that meet in a body both read its velocity and both write it, and one of the two "
-       "pushes is lost. A pair takes the first colour that neither body has."},
-      {"what cannot move may be in any number of pairs of one colour", 1,
+       "if two pairs of one colour share a body, both read its velocity and both write it, so one of the two pushes is "
+       "lost. A pair gets the first colour that neither body has."},
+      {"a body that cannot move may be in any number of pairs of one colour", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Graph graph = some_graph(random, 3);
          const Colours colours = colours_by(answer, graph);
-         return {{"with three bodies that cannot move, two pairs of one colour meet in one that can",
-                  clashes(graph, colours), "times", 0.5},
-                 {"with three bodies that cannot move, the colours of your pairs, added up, are", sum_of(colours), "",
-                  0.5}};
+         return {{"with three fixed bodies, two pairs of one colour share a movable body", clashes(graph, colours),
+                  "times", 0.5},
+                 {"with three fixed bodies, the colours of your pairs add up to", sum_of(colours), "", 0.5}};
        },
-       "nothing changes the velocity of a body that cannot move. Pairs of one colour may meet there, and nowhere "
-       "else."},
+       "nothing changes the velocity of a body that cannot move. Pairs of one colour may share only such bodies."},
       {"a column of boxes needs two colours", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Graph graph = column(10 + random.below(10));
          Graph star{Movable(41, true), {}};
          for (std::size_t i = 1; i <= 40; ++i) star.pairs.push_back({0, i});
-         return {
-             {"the colours of your column's pairs, added up, are", sum_of(colours_by(answer, graph))},
-             {"the colours of forty pairs that all meet in one body, added up, are", sum_of(colours_by(answer, star))}};
+         return {{"the colours of your column's pairs add up to", sum_of(colours_by(answer, graph))},
+                 {"the colours of forty pairs that all share one body add up to", sum_of(colours_by(answer, star))}};
        },
-       "a pair takes the first colour that neither of its bodies has so far. A higher one is a set more, and sets are "
-       "solved one after the other."},
+       "a pair gets the first colour that neither of its bodies has so far. A higher colour would add a set, and sets "
+       "are solved one after another."},
   };
 }
 
 Exercise exercise() {
   return rebuild_of(
       "pairs that may be solved side by side",
-      {"Keep for each body which colours its pairs have so far: 64 bits are enough here.",
-       "The colour of a pair is the first that neither of its bodies has; a body that cannot move never stands in the "
-       "way.",
-       "std::countr_one(taken[a] | taken[b]) is the number of the first free bit. Then set that bit in both."},
+      {"For each body, remember which colours its pairs have so far. 64 bits are enough here.",
+       "The colour of a pair is the first one that neither of its bodies has. A body that cannot move rules out no "
+       "colour.",
+       "std::countr_one(taken[a] | taken[b]) is the index of the first free bit. Then set this bit in both."},
       Answer{right});
 }
 

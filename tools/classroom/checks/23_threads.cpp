@@ -84,18 +84,18 @@ void right(Thread& thread, const Sizes& sizes) {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"each bundle is solved once", 1,
+      {"each bundle is solved exactly once", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Work work = some_work(random);
          std::map<int, int> times;
          int all = 0;
          each_solved(threads_of(answer, work), [&](int bundle, std::size_t) { ++times[bundle], ++all; });
-         return {{"so many bundles are solved by somebody:", times.size()},
-                 {"so often one is solved by somebody:", all}};
+         return {{"the number of bundles that some thread solves is", times.size()},
+                 {"the total number of times that bundles are solved is", all}};
        },
-       "each bundle is solved by one thread, once. Of each set it has a share of its own, and numbers go on from set "
-       "to set."},
-      {"nobody begins a set before all are done with the one before", 2,
+       "exactly one thread solves each bundle, once. A thread has its own share of each set, and bundle numbers "
+       "continue from set to set."},
+      {"no thread begins a set before all threads have finished the previous one", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Work work = some_work(random);
          const std::vector<Thread> threads = threads_of(answer, work);
@@ -103,18 +103,18 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          std::size_t waits = 0;
          each_solved(threads, [&](int bundle, std::size_t phase) { in_time += set_of(bundle, work.sizes) == phase; });
          for (const Thread& thread : threads) waits += thread.done().size() - 1;
-         return {{"so many bundles are solved in the phase of their set:", in_time},
-                 {"so often your threads wait, all of them together:", waits}};
+         return {{"the number of bundles solved in the phase of their set is", in_time},
+                 {"the total number of waits of your threads is", waits}};
        },
-       "bundles of different sets share bodies. So all threads wait after each set, after the last one and without a "
-       "share as well, and not within a set."},
-      {"no thread has more than its share", 1,
+       "bundles of different sets share bodies. So all threads wait after each set, including the last one, even if "
+       "their share is empty. They do not wait within a set."},
+      {"no thread does more than its share", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
-         return {{"the bundles of the busiest thread of each phase, added up, are",
+         return {{"the bundles of the busiest thread in each phase add up to",
                   busiest(threads_of(answer, some_work(random)))}};
        },
-       "all wait for the busiest thread. The shares of a set differ by one bundle at most."},
-      {"balls in a row end as with one thread", 1,
+       "all threads wait for the busiest one. The shares of a set differ by at most one bundle."},
+      {"balls in a row move as with one thread", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Work work{.threads = 3, .sizes = Sizes(4, 7 + 3 * whole(random, 0, 2))};
          std::vector<Real> velocities;
@@ -123,19 +123,19 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          Real energy = 0;
          for (const Real velocity : velocities) energy += velocity * velocity / 2;
          return {{"the kinetic energy of your balls is", energy, "J", 1e-9},
-                 {"your ball in the middle ends with", velocities[velocities.size() / 2], "m/s", 1e-9}};
+                 {"your ball in the middle ends at", velocities[velocities.size() / 2], "m/s", 1e-9}};
        },
-       "a bundle that is left out, is solved twice, or comes before its turn leaves other velocities behind than one "
-       "thread does."},
+       "the velocities differ from those of one thread if a bundle is left out, is solved twice, or is solved too "
+       "early."},
   };
 }
 
 Exercise exercise() {
   return rebuild_of("a sweep by several threads",
-                    {"Go through the sets in their order, and keep the number of the first bundle of each.",
-                     "Of a set with n bundles, this thread has those from n who / count to before n (who + 1) "
-                     "/ count, counted from the first of the set.",
-                     "Then thread.wait_for_all(), in every set, also where this thread had nothing to do."},
+                    {"Go through the sets in their order, and keep track of the number of each set's first bundle.",
+                     "In a set with n bundles, this thread solves bundles n who / count up to but excluding n (who + "
+                     "1) / count, counted from the first bundle of the set.",
+                     "Then call thread.wait_for_all() in every set, even if this thread had nothing to do."},
                     Answer{right});
 }
 

@@ -32,62 +32,61 @@ constexpr Real h = Real(1) / 60;
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"after one step the rod is as long as it should be, and the ball does not move along it", 1,
+      {"after one step the rod has its right length, and the ball does not move along it", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          Bob bob = let_go(random);
          const Vec3 g = gravity(random);
          bob.v = random.between(1, 2) * bob.rod().cross(Vec3::UnitZ());
          const Bob later = after(bob, answer, g, 1, h);
-         return {{"after one step your ball is this much too far from the origin:", later.off(later.x), "m", 1e-9},
-                 {"after one step your ball moves along the rod with", later.v.dot(later.rod()), "m/s", 1e-9},
-                 {"after one step your ball is at the height", later.x.y(), "m", 1e-7}};
+         return {{"after one step your ball is too far from the origin by", later.off(later.x), "m", 1e-9},
+                 {"after one step the speed of your ball along the rod is", later.v.dot(later.rod()), "m/s", 1e-9},
+                 {"after one step the height of your ball is", later.x.y(), "m", 1e-7}};
        },
-       "after the step C is 0, for which Newton's method goes on until it is, and v has no part along the rod as it "
-       "lies then, not even from the second half of the kick."},
-      {"after a second the ball is where the step should have brought it", 2,
+       "after the step C is 0, because Newton's method continues until it is. v has no component along the new "
+       "direction of the rod, not even from the second half of the kick."},
+      {"after a second the ball is where exact steps of this kind take it", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Bob bob = let_go(random);
          const Bob later = after(bob, answer, gravity(random), 60, h);
-         return {{"after a second your ball is at the height", later.x.y(), "m", 1e-7},
-                 {"after a second your ball is to the right by", later.x.x(), "m", 1e-7},
-                 {"after a second your ball has the speed", later.v.norm(), "m/s", 1e-7}};
+         return {{"after a second the height of your ball is", later.x.y(), "m", 1e-7},
+                 {"after a second the distance of your ball to the right is", later.x.x(), "m", 1e-7},
+                 {"after a second the speed of your ball is", later.v.norm(), "m/s", 1e-7}};
        },
-       "the kick comes in two halves, one before the drift and one after it, and the rod holds the ball in between."},
-      {"with half of the step it is off by a quarter", 1,
+       "the kick comes in two halves, one before the drift and one after it. The rod holds the ball in between."},
+      {"halving the step divides the error by four", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Bob bob = let_go(random);
          const Vec3 g = gravity(random), right = truth(bob, g, 30, h);
          const Vec3 whole = after(bob, answer, g, 30, h).x, half = after(bob, answer, g, 60, h / 2).x;
-         return {{"with half of the step, your ball's error is smaller by the factor",
-                  (whole - right).norm() / (half - right).norm(), "", 1e-3},
-                 {"with half of the step, your ball is at the height", half.y(), "m", 1e-7}};
+         return {{"halving the step divides the error of your ball by", (whole - right).norm() / (half - right).norm(),
+                  "", 1e-3},
+                 {"with half the step, the height of your ball is", half.y(), "m", 1e-7}};
        },
-       "a step of second order is off by a quarter with half of h. The drift needs the velocity of the middle of the "
-       "step, after half of the kick and with what the rod does in it."},
-      {"turned round, the ball finds where it began", 1,
+       "for a step of second order, halving h divides the error by four. The drift needs the velocity in the middle of "
+       "the step, after half of the kick and the rod's impulse."},
+      {"run backwards, the ball returns to its start", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Bob bob = let_go(random);
          const Vec3 g = gravity(random);
          Bob there = after(bob, answer, g, 200, h);
          there.v = -there.v;
-         return {{"after 200 steps there and 200 back, your ball is away from where it began by",
+         return {{"after 200 steps forwards and 200 backwards, the distance of your ball from its start is",
                   (after(there, answer, g, 200, h).x - bob.x).norm(), "m"},
-                 {"after 200 steps your ball is at the height", there.x.y(), "m"}};
+                 {"after 200 steps the height of your ball is", there.x.y(), "m"}};
        },
-       "backwards in time it has to be the same step. So the impulse acts along the rod as it lies before the drift "
-       "and is in v, and the kick has two equal halves."},
+       "the step must be the same backwards in time. So the impulse acts along the rod's direction before the drift "
+       "and is part of v, and the kick has two equal halves."},
   };
 }
 
 Exercise exercise() {
-  return rebuild_of(
-      "a step of second order",
-      {"Two halves of the kick, one before the drift, one after it. Write this much first: without a rod the ball then "
-       "falls as it should.",
-       "Between the first half and the drift: v -= C(x + h v) / h J, over and over. J is the rod as it lies before the "
-       "drift, in all rounds.",
-       "At the end: v -= (v . J) J, with J as the rod lies now."},
-      Answer{plain_24::half_step});
+  return rebuild_of("a step of second order",
+                    {"Split the kick into two halves, one before the drift and one after it. Write only this at first. "
+                     "Without a rod the ball then falls as it should.",
+                     "Between the first half and the drift, repeat v -= C(x + h v) / h J. In all rounds, J is the "
+                     "direction of the rod before the drift.",
+                     "At the end, v -= (v . J) J with the new direction J of the rod."},
+                    Answer{plain_24::half_step});
 }
 
 }  // namespace pushback::exercise_24

@@ -34,32 +34,33 @@ Judged right(double whole, double half, double quarter) {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"the order of a method that somebody made up", 1,
+      {"the order of an invented method", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const double truth = between(random, 1, 3), c = between(random, 0.2, 0.8);
          const double one = between(random, 1, 2), other = between(random, 2.5, 4);
-         return {{"the order of a method is, by you,", said_of(answer, truth, c, one).order, "", 1e-5},
-                 {"the order of another is, by you,", said_of(answer, truth, -c, other).order, "", 1e-5}};
+         return {{"your order of a method is", said_of(answer, truth, c, one).order, "", 1e-5},
+                 {"your order of another method is", said_of(answer, truth, -c, other).order, "", 1e-5}};
        },
-       "half of the step divides an error of order p by 2^p. The first difference is 2^p times the second, and p is "
-       "its logarithm to the base 2."},
-      {"how far the best of the three is off", 2,
+       "halving the step divides an error of order p by 2^p. The first difference is 2^p times the second, so p is the "
+       "base-2 logarithm of their ratio."},
+      {"the error of the best of three results", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const double truth = between(random, 1, 3), c = between(random, 0.2, 0.8);
          const double p = between(random, 1.2, 2);
-         return {{"the best of the three is off, by you, by", 1000 * said_of(answer, truth, c, p).error, "mm", 1e-4},
-                 {"where they rise, it is off, by you, by", 1000 * said_of(answer, truth, -c, p).error, "mm", 1e-4}};
+         return {{"your error of the best of three results is", 1000 * said_of(answer, truth, c, p).error, "mm", 1e-4},
+                 {"for results that rise, your error of the best one is", 1000 * said_of(answer, truth, -c, p).error,
+                  "mm", 1e-4}};
        },
-       "half is off by 2^p times as much as quarter, so their difference is 2^p - 1 times the error of quarter. How "
-       "far it is off is 0 or more."},
-      {"what would be better", 2,
+       "the error of half is 2^p times the error of quarter, so their difference is 2^p - 1 times the error of "
+       "quarter. The error is 0 or more."},
+      {"an improved result", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const double truth = between(random, 1, 3), c = between(random, 0.2, 0.8), p = between(random, 1.2, 3);
-         return {{"better would be, by you,", said_of(answer, truth, c, p).better, "m"},
-                 {"where they rise, better would be, by you,", said_of(answer, truth, -c, p).better, "m"}};
+         return {{"your improved result is", said_of(answer, truth, c, p).better, "m"},
+                 {"for results that rise, your improved result is", said_of(answer, truth, -c, p).better, "m"}};
        },
-       "from half to quarter it came nearer to the truth. What would be better lies beyond quarter, by as much as "
-       "quarter is off."},
+       "from half to quarter the result came nearer to the truth. The improved result lies beyond quarter, by the "
+       "error of quarter."},
       {"three steps of this chapter", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Real angle = random.between(Real(0.8), Real(1.2));
@@ -68,20 +69,20 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
            return static_cast<Real>(
                answer.judge(way(step, begin, 16), way(step, begin, 32), way(step, begin, 64)).order);
          };
-         return {{"the order of the whole step is, by you,", order_of(plain_24::whole_step), "", 1e-4},
-                 {"the order of the half step is, by you,", order_of(plain_24::half_step), "", 1e-4},
-                 {"the order of the composed one is, by you,", order_of(composed_step), "", 1e-3}};
+         return {{"your order of the whole step is", order_of(plain_24::whole_step), "", 1e-4},
+                 {"your order of the half step is", order_of(plain_24::half_step), "", 1e-4},
+                 {"your order of the composed step is", order_of(composed_step), "", 1e-3}};
        },
-       "the three steps are of the orders 1, 2 and 4, which the differences of their own results tell."},
+       "the three steps have the orders 1, 2 and 4, and the differences of their own results show it."},
   };
 }
 
 Exercise exercise() {
   return exercise_of(
       "an order without a truth",
-      {"The truth is in none of the differences: whole - half and half - quarter are what c and p alone make.",
+      {"The differences whole - half and half - quarter do not contain the truth. They depend only on c and p.",
        "With the step h/2 the error is c h^p / 2^p. So the first difference is 2^p times the second.",
-       "half - quarter = (2^p - 1) times the error of quarter. Take that error away from quarter, with its sign."},
+       "half - quarter is 2^p - 1 times the error of quarter. Subtract this error from quarter, with its sign."},
       Answer{right});
 }
 

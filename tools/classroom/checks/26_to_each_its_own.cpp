@@ -42,7 +42,7 @@ Played chain_of(const Answer& answer, const Size& size, int steps) {
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
-      {"what flies, what has half steps and what has substeps is told apart", 2,
+      {"islands in free flight, with half steps and with substeps are told apart", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          std::array<int, 3> called{};
          const auto ask = [&](const auto& island) {
@@ -57,14 +57,13 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
          ask([&] { return Seen{.joints = joints()}; });
          ask([&] { return Seen{.contacts = few(), .refused = true}; });
          ask([&] { return Seen{.joints = joints(), .refused = true}; });
-         return {{"of random islands, so many fly:", called[0]},
-                 {"so many have half steps:", called[1]},
-                 {"so many have substeps:", called[2]}};
+         return {{"the number of random islands in free flight is", called[0]},
+                 {"the number of random islands with half steps is", called[1]},
+                 {"the number of random islands with substeps is", called[2]}};
        },
-       "an island's own contacts and joints say what it calls for, in the task's order: what is refused has substeps, "
-       "joints have half steps, what touches nothing flies, and few contacts, up to and with the limit, have half "
-       "steps."},
-      {"an island whose contacts come and go near the limit stays what it is", 2,
+       "an island's own contacts and joints decide, in the order of the task. Refused islands get substeps, joints get "
+       "half steps, islands that touch nothing fly freely, and islands with at most `most` contacts get half steps."},
+      {"an island whose number of contacts varies near the limit keeps its kind of step", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          std::vector<int> contacts{9, 13, 12, 8, 9, 12};
          for (int i = int(contacts.size()); i < 300; ++i) contacts.push_back(whole(random, i % 100 < 50 ? 6 : 9, 13));
@@ -74,27 +73,32 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
            before = answer.call({.contacts = count, .had_half_steps = before}, bounds_of_checks) == Call::half_steps;
            by_half_steps += before;
          }
-         return {{"of 300 steps your island has by half steps", by_half_steps}};
+         return {{"of 300 steps, the number of half steps of your island is", by_half_steps}};
        },
-       "an island that had half steps keeps them up to and with most_kept contacts, one that had substeps gets them "
-       "with most or fewer. So what comes and goes between the two changes nothing."},
-      {"a step whose energy is not kept is taken again in twice as many, one that has too many comes down", 2,
+       "an island that had half steps keeps them with at most most_kept contacts. An island that had substeps changes "
+       "to half steps with at most `most` contacts. So a number that varies between the two limits changes nothing."},
+      {"a step with too large an energy error is repeated with twice as many substeps, and later steps reduce the "
+       "number again",
+       2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const int now = 4 << whole(random, 1, 4);
          const auto judge = [&answer](int substeps, Real off) { return answer.judge(substeps, off, bounds_of_checks); };
          const Verdict well = judge(now, random.between(Real(0.01), Real(0.12)));
          const Verdict just = judge(now, random.between(Real(0.13), Real(0.24)));
          const Verdict badly = judge(now, random.between(Real(1.1), 9));
-         return {{"after a step that is far better than asked, the next one has so many substeps:", well.substeps},
-                 {"after one that is just good enough, the next one has so many:", just.substeps},
-                 {"after one that is too far off, stands (1) or not (0):", badly.stands},
-                 {"it is tried again in so many:", badly.substeps},
-                 {"the least are never fewer than", judge(4, Real(0.01)).substeps},
-                 {"too far off in the most:", judge(128, 2).substeps}};
+         return {
+             {"after a step that is far better than required, the number of substeps of the next step is",
+              well.substeps},
+             {"after a step that is just good enough, the number of substeps of the next step is", just.substeps},
+             {"for a step with too large an error, `stands` (1 or 0) is", badly.stands},
+             {"the number of substeps in its repetition is", badly.substeps},
+             {"with the smallest number of substeps, the number for the next step is", judge(4, Real(0.01)).substeps},
+             {"for too large an error with most_substeps, the number of substeps in the repetition is",
+              judge(128, 2).substeps}};
        },
-       "a step with off at most 1 stands. Otherwise what it lost is not lost: it is taken again in twice as many, up "
-       "to most_substeps. Below an eighth half as many follow, but no fewer than least_substeps."},
-      {"a chain that whips has many substeps while it does, and few before and after", 2,
+       "a step stands if off is at most 1. Otherwise it is repeated with twice as many substeps, up to most_substeps. "
+       "If off is below an eighth, the next step has half as many, but no fewer than least_substeps."},
+      {"a chain that whips gets many substeps while it whips, and few before and after", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
          const Real calm = random.between(Real(0.1), 1), fierce = random.between(3000, 9000),
                     at = random.between(60, 90);
@@ -103,21 +107,22 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
            return calm + fierce * std::exp(-from * from) + (step == 150 ? Real(1e6) : 0);
          };
          const Played played = chain_of(answer, size, 200);
-         return {{"in 200 steps your chain is tried so many times:", played.tries},
-                 {"it spends so many substeps:", played.spent},
-                 {"so many steps are left to others:", played.given_up}};
+         return {{"in 200 steps, the number of tries of your chain is", played.tries},
+                 {"the total number of its substeps is", played.spent},
+                 {"the number of steps left to other solvers is", played.given_up}};
        },
-       "the error falls with the square of the substeps. Doubling gets there in a few tries, half as many are enough "
-       "below an eighth, and what most_substeps do not reach is left to others."},
+       "the error falls with the square of the number of substeps. Doubling it is enough after a few tries. Half as "
+       "many are enough if off is below an eighth. Other solvers take over a step that fails with most_substeps."},
   };
 }
 
 Exercise exercise() {
   return rebuild_of(
-      "which step an island calls for, and in how many substeps",
-      {"Begin with call: four lines, one for each sentence of the task, in its order. The first that holds decides.",
+      "the kind of step for an island, and its number of substeps",
+      {"Begin with call. It has four lines, one for each sentence of the task, in this order. The first condition that "
+       "holds decides.",
        "The limit of contacts is one of two numbers: island.had_half_steps ? bounds.most_kept : bounds.most.",
-       "judge has three ends: {true, half as many or as many}, {false, twice as many}, {false, 0}."},
+       "judge has three results: {true, half as many or as many}, {false, twice as many}, {false, 0}."},
       Answer{plain_26::call_of, plain_26::judge_step});
 }
 

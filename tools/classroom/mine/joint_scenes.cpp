@@ -63,10 +63,10 @@ struct Joining {
   std::vector<Quantity> quantities() const {
     std::vector<Quantity> all;
     for (const char* joint : {"first", "second"}) {
-      all.push_back({fmt::format("along your {} joint, its bodies move with", joint), "m/s or rad/s", exact});
-      all.push_back({fmt::format("the first body of your {} joint leaves with", joint), "m/s", exact});
-      all.push_back({fmt::format("the second body of your {} joint turns with", joint), "rad/s", exact});
-      if (remembers) all.push_back({fmt::format("your {} joint remembers an impulse of", joint), "N s", exact});
+      all.push_back({fmt::format("along your {} joint, its bodies move at", joint), "m/s or rad/s", exact});
+      all.push_back({fmt::format("the first body of your {} joint leaves at", joint), "m/s", exact});
+      all.push_back({fmt::format("the second body of your {} joint rotates at", joint), "rad/s", exact});
+      if (remembers) all.push_back({fmt::format("the impulse that your {} joint stores is", joint), "N s", exact});
     }
     all.push_back({"your joints change the momentum of all bodies together by", "N s", exact});
     all.push_back({"your joints change the angular momentum of all bodies together by", "N m s", exact});
@@ -106,9 +106,9 @@ struct Joining {
 /// A ball on a rod, from the side; both ends of the rod stay where they are, or the ball is to follow.
 struct Pendulum {
   std::vector<Quantity> quantities() const {
-    return {{"that it holds joints, 1 or 0, your solver says with", "", 0.5},
-            {"from where its rod hangs, your ball is by", "mm", exact},
-            {"your ball swings with", "m/s", exact}};
+    return {{"whether your solver supports joints (1 or 0) is", "", 0.5},
+            {"the distance of your ball from the fixed end of its rod is", "mm", exact},
+            {"your ball swings at", "m/s", exact}};
   }
   Numbers operator()(Random& random, const WholeSolver& answer) const {
     const auto solver = answer.make();
@@ -129,9 +129,9 @@ struct Sling {
   Range error = {};
   bool moves = false;
   std::vector<Quantity> quantities() const {
-    return {{"between two rods, your light ball moves with", "m/s", exact},
-            {"of your two rods, the one that bears more remembers", "N s", exact},
-            {"the one that bears less remembers", "N s", exact}};
+    return {{"between two rods, your light ball moves at", "m/s", exact},
+            {"of your two rods, the larger stored impulse is", "N s", exact},
+            {"of your two rods, the smaller stored impulse is", "N s", exact}};
   }
   Numbers operator()(Random& random, const WholeSolver& answer) const {
     Touching sling(random);
@@ -159,25 +159,25 @@ struct Sling {
 std::vector<CheckOfChapter> checks_of_joints() {
   return {
       {13, "a joint holds two bodies, whether it pulls or pushes", Joining{}},
-      {13, "a gap closes: b is the equation's own and β/h C", Joining{.open = true, .bias = {0.2, 1}}},
-      {13, "an equation between two turns", Joining{.open = true, .between_turns = true}},
+      {13, "a gap closes, because b is the equation's own bias plus β/h C", Joining{.open = true, .bias = {0.2, 1}}},
+      {13, "an equation between two rotations", Joining{.open = true, .between_turns = true}},
       {13, "a soft equation gives way", Joining{.open = true, .soft = true}},
-      {13, "no joint is stronger than its limits", Joining{.open = true, .weak = true}},
+      {13, "no joint exceeds its limits", Joining{.open = true, .weak = true}},
       {13,
-       "once bodies have moved, the speed that closed the gap is gone",
+       "the speed that closed a gap disappears once the bodies have moved",
        Joining{.open = true, .bias = {0.2, 1}, .moves = true},
        {14}},
-      {13, "and what a spring has added is not", Joining{.open = true, .soft = true, .moves = true}},
+      {13, "the speed that a spring has added remains", Joining{.open = true, .soft = true, .moves = true}},
       {13, "a ball swings on a rod", Pendulum{}, {14}},
-      {14, "without a sweep, a joint begins with what it had, to the scale of h",
+      {14, "without a sweep, a joint starts with its stored impulse, scaled with h",
        Joining{.moves = true, .remembers = true, .again = true}},
-      {14, "an impulse that closes a gap is not remembered", Joining{.open = true, .remembers = true}},
-      {14, "a spring's impulse is remembered whole", Joining{.open = true, .soft = true, .remembers = true}},
-      {14, "the impulse that has closed the gap is taken back",
+      {14, "an impulse that closes a gap is not stored", Joining{.open = true, .remembers = true}},
+      {14, "the whole impulse of a spring is stored", Joining{.open = true, .soft = true, .remembers = true}},
+      {14, "the impulse that has closed the gap is removed again",
        Joining{.open = true, .moves = true, .remembers = true}},
-      {14, "two rods are solved 20 times in a sweep", Sling{}},
-      {14, "and as often if they close a gap", Sling{.error = {0.01, 0.03}}},
-      {14, "and begin the last sweep from what is remembered", Sling{.error = {0.01, 0.03}, .moves = true}},
+      {14, "two rods are solved 20 times per sweep", Sling{}},
+      {14, "and 20 times more to close a gap", Sling{.error = {0.01, 0.03}}},
+      {14, "and the last sweep starts from the stored impulses", Sling{.error = {0.01, 0.03}, .moves = true}},
       {14, "a ball swings on a rod that remembers its impulse", Pendulum{}},
   };
 }

@@ -26,11 +26,11 @@ struct Drop {
   bool with_contact = false;  ///< what its contact says is measured, too
 
   std::vector<Quantity> quantities() const {
-    std::vector<Quantity> all{{"your ball is over the ground by", "mm", exact},
-                              {"your ball goes up with", "m/s", exact}};
+    std::vector<Quantity> all{{"your ball is above the ground by", "mm", exact},
+                              {"your ball moves upwards at", "m/s", exact}};
     if (with_contact) {
-      all.push_back({"over all substeps, your contact keeps an impulse of", "N s", exact});
-      all.push_back({"your contact says that it is deep by", "mm", exact});
+      all.push_back({"the impulse that your contact stores, over all substeps, is", "N s", exact});
+      all.push_back({"the depth that your contact stores is", "mm", exact});
     }
     return all;
   }
@@ -60,8 +60,8 @@ struct Corrected {
     std::vector<Quantity> all;
     for (const char* body : {"lower", "upper"}) {
       all.push_back({fmt::format("your correction moves the {} body by", body), "mm", exact});
-      all.push_back({fmt::format("your correction turns the {} body by", body), "mrad", 1e-4});
-      all.push_back({fmt::format("after it, your {} body moves with", body), "m/s", exact});
+      all.push_back({fmt::format("your correction rotates the {} body by", body), "mrad", 1e-4});
+      all.push_back({fmt::format("after the correction, your {} body moves at", body), "m/s", exact});
     }
     return all;
   }
@@ -84,10 +84,10 @@ struct Corrected {
 };
 
 MeasuredScene plan_of_a_step() {
-  return {{{"of contacts, a step of yours has so many detections:", "", 0.5},
-           {"and so many substeps:", "", 0.5},
-           {"and in each so many sweeps:", "", 0.5},
-           {"that it detects what is still apart, 1 or 0, your plan says with", "", 0.5}},
+  return {{{"in a step of yours, the number of detections is", "", 0.5},
+           {"in a step of yours, the number of substeps is", "", 0.5},
+           {"in each substep of yours, the number of sweeps is", "", 0.5},
+           {"whether your plan detects contacts that are still apart (1 or 0) is", "", 0.5}},
           [](Random&, const WholeSolver& answer) -> Numbers {
             const Plan plan = answer.make()->plan(dt);
             return {static_cast<Real>(plan.detections), static_cast<Real>(plan.all_substeps()),
@@ -150,106 +150,106 @@ std::vector<CheckOfChapter> checks_of_later_contacts() {
        Meeting{.speed = fast, .depth = {0.005, 0.05}, .restitution = {0.2, 0.9}, .falls = true}},
 
       // A push-out of at least 0.2 · 0.1 m · 50 Hz is faster than this bounce.
-      {9, "a body that bounces is not pushed out besides",
+      {9, "a body that bounces is not also pushed out",
        Meeting{.speed = {-0.4, -0.2}, .depth = {0.1, 0.2}, .restitution = {0.4, 0.9}}},
 
       // So deep, and so slow, that half the square of its speed at the surface would have been negative.
-      {9, "a body that is pressed in, and has not fallen in, is pushed out",
+      {9, "a body that was pressed in, and did not fall in, is pushed out",
        Meeting{.speed = {-0.4, -0.2}, .depth = {0.1, 0.2}, .restitution = {0.4, 0.9}, .falls = true}},
-      {9, "what forces have added is read before the initial guess",
+      {9, "the speed added by forces is read before the initial guess",
        After{{.speed = {-0.5, -0.1}, .falls = true},
              {.speed = fast, .depth = {0.005, 0.05}, .restitution = {0.3, 0.9}}}},
 
       // One sweep: nothing of a bounce is left to a later one.
-      {9, "after one sweep, a beam that lands flat has bounced flat",
+      {9, "a beam that lands flat has bounced flat after one sweep",
        Landing{.reach = {0.7, 0.9}, .restitution = {0.3, 0.9}, .sweeps = {1, 1}, .tolerance = solved_impact}},
-      {10, "the push-out has left the bias: an overlap gives no speed", Meeting{.speed = slow, .depth = {0.02, 0.1}}},
-      {10, "overlapping bodies are moved, by the fraction β of what is left",
+      {10, "the push-out is no longer in the bias, so an overlap causes no speed",
+       Meeting{.speed = slow, .depth = {0.02, 0.1}}},
+      {10, "overlapping bodies are moved by the fraction β of the remaining overlap",
        Corrected{{.speed = {-0.3, -0.1}, .depth = {0.02, 0.1}}}},
 
       // They part by themselves, so that less is left; not so fast that nothing is.
-      {10, "what the bodies' own velocities close is not closed twice",
+      {10, "the correction does not close again what the bodies' own velocities close",
        Corrected{{.speed = {0.4, 0.8}, .depth = {0.05, 0.1}}}},
       {10, "no contact corrects more than 50 mm", Corrected{{.speed = {-0.3, -0.1}, .depth = {0.4, 0.8}}}},
       {10, "bodies less deep than the slop are not moved", Corrected{{.speed = fast, .depth = {-0.01, 0.0045}}}},
 
-      {11, "a ball falls as far as in 32 steps", Drop{.speed = {}, .gap = {5, 5}}},
+      {11, "a ball falls as far as in 32 separate steps", Drop{.speed = {}, .gap = {5, 5}}},
       {11,
-       "a ball that arrives in the middle of a step bounces then",
+       "a ball that arrives in the middle of a step bounces in that step",
        Drop{.speed = {2, 6}, .arrives = {0.3, 0.6}, .bounce = {0.5, 0.9}},
        {21}},
-      {11, "β/h with the h of a substep", Drop{.speed = {}, .gap = {-0.03, -0.01}}, {12}},
+      {11, "β/h uses the h of a substep", Drop{.speed = {}, .gap = {-0.03, -0.01}}, {12}},
       {11, "the plan: 32 detections, one sweep in each substep", plan_of_a_step(), {21}},
       {12,
-       "an overlap gives way as a spring with a damper does",
+       "an overlap acts like a spring with a damper",
        Meeting{.speed = slow, .depth = little, .rate = any_substeps, .sweeps = {2, 5.9}},
        {21}},
       {12,
-       "bodies that are too deep are pushed out with 3 m/s",
+       "bodies that are too deep are pushed out at 3 m/s",
        Meeting{.speed = slow, .depth = {0.04, 0.09}, .rate = substeps, .sweeps = {2, 5.9}},
        {21}},
       {12,
        "a bounce is neither soft nor pushed out",
        Meeting{.speed = fast, .depth = {0.01, 0.019}, .restitution = {0.1, 0.2}, .sweeps = {2, 5.9}, .falls = true},
        {21}},
-      {12, "once it has moved the bodies, the speed of the push-out is gone",
+      {12, "the speed of the push-out disappears once it has moved the bodies",
        Meeting{.speed = slow, .depth = little, .rate = any_substeps, .moves = true}},
       {12,
-       "and that of a bounce is not",
+       "the speed of a bounce remains",
        Meeting{.speed = fast, .depth = little, .restitution = {0.3, 0.9}, .rate = any_substeps, .moves = true},
        {21}},
-      {12, "rows are carried to where the bodies are",
+      {12, "rows are updated to the new positions of the bodies",
        Meeting{.speed = fast,
                .depth = little,
                .friction = {0.2, 0.8},
                .slip = {3, 6},
                .rate = any_substeps,
                .moves = true}},
-      {12, "a ball that has sunk in rises", Drop{.speed = {}, .gap = {-0.015, -0.005}, .steps = 4}},
+      {12, "a ball that has sunk in comes up", Drop{.speed = {}, .gap = {-0.015, -0.005}, .steps = 4}},
   };
 }
 
 std::vector<CheckOfChapter> checks_of_detected_once() {
   return {
-      {21, "the plan: one detection, with a margin, 32 substeps of one sweep", plan_of_a_step()},
+      {21, "the plan: one detection, with a margin, 32 substeps with one sweep each", plan_of_a_step()},
       {21, "a ball that arrives in the middle of a step stops at the surface",
        Drop{.speed = {2, 6}, .arrives = {0.3, 0.6}, .with_contact = true}},
-      {21, "a ball that arrives in the middle of a step and bounces leaves at its end",
+      {21, "a ball that arrives in the middle of a step and bounces leaves at the end of the step",
        Drop{.speed = {2, 6}, .arrives = {0.3, 0.6}, .bounce = {0.4, 0.9}, .with_contact = true}},
-      {21, "a ball at rest is borne, and its contact says by how much",
+      {21, "a ball at rest is supported, and its contact stores the impulse",
        Drop{.speed = {}, .gap = {-0.001, -0.0001}, .steps = 3, .with_contact = true}},
 
       // Near enough to be detected, and never there.
-      {21, "what was detected and did not touch is no contact",
+      {21, "a contact that was detected but never touched is removed",
        Drop{.speed = {-1, -0.5}, .gap = {0.005, 0.01}, .with_contact = true}},
       {21,
-       "a ball that slides is braked in every substep",
-       {{{"your ball goes on with", "m/s", exact},
-         {"your ball turns with", "rad/s", exact},
-         {"over all substeps, along the surface, your contact keeps", "N s", exact}},
+       "friction slows a sliding ball in every substep",
+       {{{"your ball continues at", "m/s", exact},
+         {"your ball rotates at", "rad/s", exact},
+         {"the tangential impulse that your contact stores, over all substeps, is", "N s", exact}},
         slides}},
       {21,
        "balls that graze each other keep their angular momentum",
        {{{"your impulses change the angular momentum of both balls by", "N m s", exact},
-         {"the ball that was hit leaves with", "m/s", exact},
-         {"the other one goes on with", "m/s", exact},
-         {"and turns with", "rad/s", exact}},
+         {"the ball that was hit leaves at", "m/s", exact},
+         {"the other ball continues at", "m/s", exact},
+         {"the other ball rotates at", "rad/s", exact}},
         graze}},
 
       // So many sweeps that it has converged, before it has moved, and one after.
-      {21, "a pile of three boxes that meet with any velocities",
-       of_a_pile([](Random& random, const WholeSolver& answer) {
+      {21, "a pile of three boxes with any velocities", of_a_pile([](Random& random, const WholeSolver& answer) {
          Pile pile(random);
          pile.h = 1 / substeps.draw(random);
          pile.solve(*answer.make(), to_the_end, true);
          return pile.numbers();
        })},
-      {21, "bodies of any shape slide as the cone says, before and after they have moved",
+      {21, "bodies of any shape slide as the friction cone requires, before and after they have moved",
        Meeting{.speed = fast, .friction = {0.2, 0.8}, .slip = {1, 6}, .rate = substeps, .moves = true}},
-      {21, "of several points, each starts from its own impulse", EachPointStarts{}},
+      {21, "each of several points starts with its own impulse", EachPointStarts{}},
       {21,
-       "a guess stays within the cone of the normal of now",
-       {{{"your lower ball leaves with", "m/s", exact}, {"your upper ball leaves with", "m/s", exact}}, turned_normal}},
+       "a guess stays within the friction cone of the current normal",
+       {{{"your lower ball leaves at", "m/s", exact}, {"your upper ball leaves at", "m/s", exact}}, turned_normal}},
   };
 }
 

@@ -46,7 +46,7 @@ void list(const MyFolder& mine) {
   if (next)
     fmt::print("next: chapters/{}/README.md, then {}, then ./course mine {}\n", folder_of(next->number),
                mine.file().string(), two_digits(next->number));
-  else fmt::print("all are passed: ./course mine 21 --diff shows the plain loop beside yours\n");
+  else fmt::print("all chapters are passed. ./course mine 21 --diff compares the plain loop with your file\n");
 }
 
 /// Those of earlier chapters in one line as long as they pass; of this one, a line a check.
@@ -61,7 +61,7 @@ void print_checks(const ChapterOfMine& chapter, const VerdictOfMine& made) {
     kept += made.verdict.checks[i] == Passed::yes;
     if (made.verdict.checks[i] == Passed::no) line(i);
   }
-  if (earlier > 0 && kept == earlier) fmt::print("  ✓ what the chapters before ask for: {} checks\n", earlier);
+  if (earlier > 0 && kept == earlier) fmt::print("  ✓ checks of earlier chapters: {} pass\n", earlier);
   for (std::size_t i = 0; i < made.exercise.checks.size(); ++i)
     if (chapter_of_check(i) == chapter.number) line(i);
 }
@@ -100,9 +100,9 @@ bool check(const ChapterOfMine& chapter, MyFolder& mine, const Asked& asked) {
   print_checks(chapter, made);
   fmt::print("{}", lines_printed(made.outcome));
   const bool passed = made.verdict.passed();
-  if (passed) fmt::print("\n  Passed. The chapter's plain loop beside yours: ./course mine {} --diff\n", number);
+  if (passed) fmt::print("\n  Passed. Compare the chapter's plain loop with yours: ./course mine {} --diff\n", number);
   else
-    fmt::print("\n  {}\n\n  One hint more: ./course mine {} --hint. The same scenes again: --seed {}\n",
+    fmt::print("\n  {}\n\n  For another hint: ./course mine {} --hint. For the same scenes again: --seed {}\n",
                capital(sentence(chapter, made, mine)), number, seed);
   remember(chapter, made, mine);
   std::fflush(stdout);  // the picture takes a moment
@@ -112,7 +112,7 @@ bool check(const ChapterOfMine& chapter, MyFolder& mine, const Asked& asked) {
     const fs::path to = mine.path() / number;
     const auto draw = [&](bool all_scenes, const std::string& files) {
       const std::string wrong = uncompiled.empty() ? draw_mine(chapter.number, library, to, all_scenes) : uncompiled;
-      if (wrong.empty()) fmt::print("  Yours beside the chapter's: {}\n", (to / files).string());
+      if (wrong.empty()) fmt::print("  Yours next to the chapter's: {}\n", (to / files).string());
       else fmt::print("  No picture was drawn: {}\n", wrong);
       std::fflush(stdout);
       return wrong.empty();
@@ -126,7 +126,8 @@ bool check(const ChapterOfMine& chapter, MyFolder& mine, const Asked& asked) {
 void show_difference(const ChapterOfMine& chapter, const MyFolder& mine) {
   const std::string number = two_digits(chapter.number);
   if (!mine.passed(chapter.number))
-    throw InvalidInput(fmt::format("--diff shows the plain loop once yours passes: ./course mine {}", number));
+    throw InvalidInput(
+        fmt::format("--diff shows the plain loop after your solver has passed: ./course mine {}", number));
   const ScratchFolder scratch;
   write_text_file(scratch.path / "plain.h", plain_loop(chapter.number));
   const Ended ended = run_program({"diff", "-u", "--label", "the plain loop of chapter " + number, "--label",
@@ -140,11 +141,12 @@ bool compare(const MyFolder& mine, const Asked& asked) {
   const std::vector<std::string> words(asked.words.begin() + 1, asked.words.end());
   if (asked.words[0] == "hard-cases") {
     const bool ended = play_hard_cases(mine, words);
-    fmt::print("Yours beside the stages: {}, table.md\n", (mine.path() / "hard_cases" / "overview.png").string());
+    fmt::print("Your solver next to the stages: {}, table.md\n",
+               (mine.path() / "hard_cases" / "overview.png").string());
     return ended;
   }
   study_with_mine(mine, words);
-  fmt::print("Error against time, yours beside ours: {}, others.md\n",
+  fmt::print("Error against time, your solver next to ours: {}, others.md\n",
              (mine.path() / "study" / "work_precision.png").string());
   return true;
 }
@@ -153,30 +155,30 @@ bool compare(const MyFolder& mine, const Asked& asked) {
 
 int main(int argc, char** argv) {
   Asked asked;
-  CommandLine line("A solver of your own: one file that grows from chapter to chapter.", "./course mine");
+  CommandLine line("Check a solver of your own, one file that grows from chapter to chapter.", "./course mine");
   line.option(
       "CHAPTER", asked.words,
-      "00 to 14 and 21, or its name; none: where you stand. Or hard-cases [NAME...]: yours beside the stages in "
-      "the table of hard cases. Or study [MOTION...]: error against time, beside ours");
-  line.flag("--hint", asked.hint, "One hint more each time");
+      "00 to 14 or 21, or a chapter's name; without it, show your progress. hard-cases [NAME...] compares your solver "
+      "with the stages in the table of hard cases. study [MOTION...] compares error against time with our solvers");
+  line.flag("--hint", asked.hint, "Show one more hint each time");
   line.flag("--watch", asked.watch, "Check again at each save, until interrupted");
-  line.flag("--diff", asked.diff, "The chapter's plain loop beside your file, once it passes");
-  line.flag("--reset", asked.reset, "Begin again; your file is kept, with .old at its end, then .old2, ...");
-  line.flag("--no-sheet", asked.no_sheet, "Do not draw your solver beside the chapter's");
-  line.option("--seed", asked.seed, "The same random scenes as last time");
+  line.flag("--diff", asked.diff, "Show the difference between the chapter's plain loop and your file, once it passes");
+  line.flag("--reset", asked.reset, "Start again; your file is kept, renamed to end in .old, then .old2, ...");
+  line.flag("--no-sheet", asked.no_sheet, "Do not draw your solver next to the chapter's");
+  line.option("--seed", asked.seed, "Use this seed, for the same random scenes as last time");
   line.option("--in", asked.folder, "The folder with your file, mine/ by default");
   bool passed = true;
   const int status = line.run(argc, argv, [&] {
     const bool compares = !asked.words.empty() && (asked.words[0] == "hard-cases" || asked.words[0] == "study");
     if (!compares && asked.words.size() > 1)
-      throw InvalidInput(fmt::format("one chapter at a time: '{}' is too much", asked.words[1]));
+      throw InvalidInput(fmt::format("only one chapter at a time is allowed, but '{}' was also given", asked.words[1]));
     const ChapterOfMine* chapter = asked.words.empty() || compares ? nullptr : &chapter_of_mine(asked.words[0]);
     if (!chapter && (asked.hint || asked.watch || asked.diff))
-      throw InvalidInput("of which chapter? Its number is needed, 03 for example");
+      throw InvalidInput("a chapter is needed, 03 for example");
     MyFolder mine(asked.folder);
     if (asked.reset || !mine.begun()) {
       mine.reset();
-      fmt::print("Your solver is {}: it compiles, and does nothing right.\n", mine.file().string());
+      fmt::print("Your solver is {}. It compiles, but does nothing yet.\n", mine.file().string());
       if (!asked.watch) return list(mine);
     }
     if (compares) passed = compare(mine, asked);

@@ -41,8 +41,9 @@ MyFolder::MyFolder(const fs::path& folder)
   try {
     make_writable_folder(path());
   } catch (const InvalidInput&) {
-    throw InvalidInput(fmt::format(
-        "--in: folder '{}' cannot be written to: a folder that can be made or written to is needed", path().string()));
+    throw InvalidInput(
+        fmt::format("--in: folder '{}' cannot be written to: a folder that can be created or written to is needed",
+                    path().string()));
   }
 }
 
@@ -55,7 +56,7 @@ std::string MyFolder::text() const {
   std::string text = read_text_file(file());
   if (text.find("MySolver") == text.npos)
     throw InvalidInput(
-        fmt::format("{} has no class MySolver, which is what is checked. --reset begins anew, and keeps your file",
+        fmt::format("{} has no class MySolver, which is the class to check. --reset starts again, and keeps your file",
                     file().string()));
   return text;
 }

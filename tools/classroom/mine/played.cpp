@@ -29,7 +29,7 @@ extern "C" pushback::StepSolver* make_solver(const pushback::StepSolver* like) {
 )";
 
 std::string last_line(const std::string& text) {
-  std::string last = "it said nothing";
+  std::string last = "it printed no reason";
   for (const std::string& line : lines_of(text))
     if (!line.empty()) last = line;
   return last;
@@ -52,7 +52,7 @@ std::string built_program(const std::string& name) {
 fs::path made_library(const MyFolder& mine, const ScratchFolder& scratch, CompiledAs as) {
   const fs::path library = scratch.path / "solver.so";
   const std::string wrong = make_library(mine.text(), fs::absolute(mine.path()), library, as);
-  if (!wrong.empty()) throw std::runtime_error(wrong + ". ./course mine 00 shows all that the compiler says");
+  if (!wrong.empty()) throw std::runtime_error(wrong + ". ./course mine 00 shows the compiler's full message");
   return library;
 }
 
@@ -88,7 +88,7 @@ std::string draw_mine(int chapter, const fs::path& library, const fs::path& to, 
   Command draw{built_program(name), "--mine", library, "--out", scratch.path, "--no-study", "--passes", "4"};
   if (!all_scenes) draw.emplace_back("--first-scene");
   const Ended ended = run_program(draw, 600);
-  if (ended.status != 0) return fmt::format("{} came to no end with your solver: {}", name, last_line(ended.err));
+  if (ended.status != 0) return fmt::format("{} did not finish with your solver: {}", name, last_line(ended.err));
   fs::remove_all(to);
   fs::copy(scratch.path / name, to, fs::copy_options::recursive);
   return "";
@@ -102,13 +102,13 @@ bool play_hard_cases(const MyFolder& mine, const std::vector<std::string>& names
       names;
   refuse(run_program(play + Command{"--list"}, 60));
   const Command with_mine{"--mine", made_library(mine, scratch, CompiledAs::exercise)};
-  if (names.empty()) fmt::print("All cases are played, which takes about a minute.\n");
+  if (names.empty()) fmt::print("All cases are played. This takes about a minute.\n");
   std::fflush(stdout);
   // The table has links to the chapters' pages.
   const Ended ended = run_program(Command{"env", "-C", kit().sources} + play + with_mine, 3600);
   const fs::path made = scratch.path / "hard_cases" / "part";
   if (!fs::exists(made / "overview.png"))
-    throw std::runtime_error("there is no table: " +
+    throw std::runtime_error("no table was made: " +
                              (ended.signal != 0 ? strsignal(ended.signal) : last_line(ended.err)));
   // The table's last line names a file that is moved now.
   for (const std::string& line : lines_of(ended.out))
@@ -118,7 +118,7 @@ bool play_hard_cases(const MyFolder& mine, const std::vector<std::string>& names
   if (ended.err.find("no end within") != ended.err.npos)
     fmt::print(
         stderr,
-        "A case is given up after 30 s by the clock. If the machine was busy, call again with this case alone.\n");
+        "A case is given up after 30 s of wall-clock time. If the machine was busy, run this case again on its own.\n");
   fs::remove_all(to);
   fs::copy(made, to, fs::copy_options::recursive);
   return ended.status == 0;
@@ -135,14 +135,14 @@ void study_with_mine(const MyFolder& mine, const std::vector<std::string>& asked
   const Command study{
       built_program("study"), "--quick", "--mine", made_library(mine, scratch, CompiledAs::chapter), "--out",
       scratch.path,           "--only"};
-  fmt::print("{} of the study's motions are played in all quick settings by every solver.\n", motions.size());
+  fmt::print("Every solver plays {} motions of the study, in all quick settings.\n", motions.size());
   std::fflush(stdout);
   const Ended ended = run_program(study + motions, 1800);
   const fs::path made = scratch.path / "19_accuracy_and_time";
   if (ended.status != 0 || !fs::exists(made / "work_precision.png")) {
     const std::string said = last_line(ended.err), before = "failed: ";  // the call of a motion, with all settings
     const std::size_t at = said.rfind(before);
-    throw std::runtime_error("there are no diagrams: " + (at == said.npos ? said : said.substr(at + before.size())));
+    throw std::runtime_error("no diagrams were made: " + (at == said.npos ? said : said.substr(at + before.size())));
   }
   fs::remove_all(to);
   fs::create_directories(to);

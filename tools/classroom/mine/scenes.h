@@ -36,7 +36,7 @@ struct MeasuredScene {
 
 struct CheckOfChapter {
   int chapter;       ///< that asks for it first
-  std::string says;  ///< of a right solver: "bodies that leave are let go"
+  std::string says;  ///< of a right solver: "bodies that separate get no impulse"
   MeasuredScene scene;
   /// Chapters of which, and of all that begin from them, a right solver does not pass it any more.
   std::vector<int> ends = {};

@@ -153,15 +153,15 @@ struct Meeting {
     return made;
   }
   std::vector<Quantity> quantities() const {
-    std::vector<Quantity> all{{"the points at which your bodies touch part with", "m/s", exact},
-                              {"your lower body leaves with", "m/s", exact},
-                              {"your upper body leaves with", "m/s", exact},
-                              {"your lower body turns with", "rad/s", exact},
-                              {"your upper body turns with", "rad/s", exact},
-                              {"your contact keeps an impulse along its normal of", "N s", exact}};
+    std::vector<Quantity> all{{"the contact points of your bodies separate at", "m/s", exact},
+                              {"your lower body leaves at", "m/s", exact},
+                              {"your upper body leaves at", "m/s", exact},
+                              {"your lower body rotates at", "rad/s", exact},
+                              {"your upper body rotates at", "rad/s", exact},
+                              {"the normal impulse that your contact stores is", "N s", exact}};
     if (friction.to > 0) {
-      all.push_back({"your contact keeps an impulse along the surface of", "N s", exact});
-      all.push_back({"along the surface, the points at which your bodies touch slip with", "m/s", exact});
+      all.push_back({"the tangential impulse that your contact stores is", "N s", exact});
+      all.push_back({"the contact points of your bodies slip along the surface at", "m/s", exact});
     }
     if (!falls) {
       all.push_back({"your impulses change the momentum of both bodies together by", "N s", exact});
@@ -250,11 +250,11 @@ struct Pile : Touching {
 inline MeasuredScene of_a_pile(MeasuredScene::Play play) {
   std::vector<Quantity> all;
   for (const int box : {1, 2, 3}) {
-    all.push_back({fmt::format("box {} of your pile moves with", box), "m/s", exact});
-    all.push_back({fmt::format("box {} of your pile turns with", box), "rad/s", exact});
+    all.push_back({fmt::format("box {} of your pile moves at", box), "m/s", exact});
+    all.push_back({fmt::format("box {} of your pile rotates at", box), "rad/s", exact});
   }
   for (const int contact : {1, 2, 3, 4, 5, 6})
-    all.push_back({fmt::format("contact {} of your pile keeps", contact), "N s", exact});
+    all.push_back({fmt::format("the impulse that contact {} of your pile stores is", contact), "N s", exact});
   return {all, std::move(play)};
 }
 
@@ -267,7 +267,8 @@ struct EachPointStarts {
   std::vector<Quantity> quantities() const {
     std::vector<Quantity> all;
     for (int point = 1; point <= 7; ++point)
-      all.push_back({fmt::format("after a step without a sweep, point {} parts with", point), "m/s", exact});
+      all.push_back(
+          {fmt::format("after a step without a sweep, the separation speed at point {} is", point), "m/s", exact});
     return all;
   }
   Numbers operator()(Random& random, const WholeSolver& answer) const {
@@ -318,7 +319,7 @@ struct Landing {
   Range sweeps = {1, 4.9};
   double tolerance = exact;
   std::vector<Quantity> quantities() const {
-    return {{"your beam moves upwards with", "m/s", tolerance}, {"your beam turns with", "rad/s", tolerance}};
+    return {{"your beam moves upwards at", "m/s", tolerance}, {"your beam rotates at", "rad/s", tolerance}};
   }
   Numbers operator()(Random& random, const WholeSolver& answer) const {
     Touching made(random);

@@ -103,10 +103,11 @@ std::vector<Slip> slips_in(int chapter) {
     for (const Slip& slip : all)
       if (slip.chapter == its || (chapter == 0 && slip.chapter == 1)) in.push_back(slip);
     if (its > 0)
-      in.push_back({its, fmt::format("what chapter {} adds is missing", two_digits(its)),
-                    fmt::format("It is not there, or has no effect: these are the numbers of chapter {}.",
-                                two_digits(predecessor(its))),
-                    plain_solver(predecessor(its))});
+      in.push_back(
+          {its, fmt::format("the addition of chapter {} is missing", two_digits(its)),
+           fmt::format("Your solver lacks it, or it has no effect, because these are the numbers of chapter {}.",
+                       two_digits(predecessor(its))),
+           plain_solver(predecessor(its))});
   }
   return in;
 }
