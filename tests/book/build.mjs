@@ -7,6 +7,7 @@ import path from "node:path";
 import { test } from "node:test";
 import { readBook, stillOf } from "../../tools/book/book.js";
 import { home as root } from "../../tools/book/experiments.js";
+import { addressOf } from "../../tools/book/outline.js";
 import { pagesOf } from "../../tools/book/pages.js";
 
 const header = "#pragma once\n\nstruct Clamping {\n  int least = 0;\n};\n";
@@ -24,6 +25,8 @@ function project(text) {
   write("chapters/01_one/one.h", header);
   write("chapters/01_one/more/two.cpp", '#include "pushback/chapters/01_one/one.h"\n');
   write("docs/figures/one.svg", picture);
+  write("tests/one.cpp", "int tested() {\n  return 1;\n}\n");
+  write("renders/one.csv", "1\n");
   return folder;
 }
 
@@ -108,6 +111,38 @@ test("links lead to pages, to sources and to folders of sources", () => {
   );
 });
 
+test("tests, tools and data are in the repository and not in the book; where no address is given, they are named", () => {
+  const text =
+    "[a](../../tests/one.cpp) [b](../../tests) [c](../../renders/one.csv)\n\n```cpp\nint tested() {\n  return 1;\n}\n```";
+  const linked = readBook(project(text), new Map(), {}, "https://a.org/b");
+  const { html } = linked.pages.find(({ chapter }) => chapter);
+  assert.deepEqual(
+    [...html.matchAll(/href="([^"]*)"/g)].map(([, target]) => target),
+    ["blob/HEAD/tests/one.cpp", "tree/HEAD/tests", "blob/HEAD/renders/one.csv", "blob/HEAD/tests/one.cpp#L1"].map(
+      (file) => `https://a.org/b/${file}`,
+    ),
+  );
+  const alone = readBook(project(text));
+  const named = alone.pages.find(({ chapter }) => chapter).html;
+  assert.doesNotMatch(named, /href=/);
+  assert.match(named, /<a title="tests\/one\.cpp">a<\/a> <a title="tests">b<\/a> <a title="renders\/one\.csv">c<\/a>/);
+  assert.match(named, /<a title="tests\/one\.cpp, line 1">one\.cpp<\/a>/);
+  for (const book of [linked, alone]) assert.deepEqual([book.sources, book.folders, book.files], [[], [], []]);
+  refused("[a](../../tests/nowhere.cpp)", 3, "the link to ../../tests/nowhere.cpp: there is no such file");
+});
+
+test("what is for GitHub only is not in the book, what is for the book only is, and lines keep their numbers", () => {
+  const text = "*one.<!-- github --> two\n[x](nowhere.md).<!-- /github -->*\n\n<!-- book: three [a](one.h) -->";
+  assert.equal(htmlOf(text), '<p><em>one.</em></p>\n<p>three <a href="one.h.html">a</a></p>\n');
+  refused(`${text}\n\n[a](gone.md)`, 8, "the link to gone.md: there is no such file");
+});
+
+test("words for the search only are found and not shown", () => {
+  const page = chapterOf("<!-- search: jitter, flicker -->\n\nfirst");
+  assert.deepEqual(page.sections, [{ id: "", title: "01 One", text: "first ", keywords: "jitter, flicker" }]);
+  assert.doesNotMatch(page.html, /jitter|search/);
+});
+
 test("formulas of each of GitHub's forms are rendered, in tables and lists, too; what is code is none", () => {
   for (const form of [
     "a $x^2$ b",
@@ -159,7 +194,7 @@ test("the place of a page and its foot are links of the layout, not words of the
 });
 
 test("the feet of the chapters lead to the pages before and behind them in the book", () => {
-  const pages = pagesOf(readBook(root), root).filter(({ part }) => part === "Chapters");
+  const pages = pagesOf(readBook(root), root).filter(({ sort }) => sort === "chapter");
   const there = (page, { href }) => path.posix.join(path.posix.dirname(page.address), href);
   assert.ok(pages.length >= 30);
   pages.forEach((page, i) => {
@@ -169,6 +204,72 @@ test("the feet of the chapters lead to the pages before and behind them in the b
     assert.ok(page.place, page.file);
     assert.equal(page.onward.address, there(page, page.foot.at(-1)), page.file);
   });
+});
+
+test("the contents have the trunk and its branches as README.md lists them, and every page of docs/ under a heading", () => {
+  const pages = pagesOf(readBook(root), root);
+  const { course } = pages[0];
+  const under = (name) => course.find((part) => part.name === name)?.pages.map(({ address }) => address);
+  const readme = fs.readFileSync(path.join(root, "README.md"), "utf8");
+  const rows = readme.match(/^\| \d+ \| \[.*$/gm).map((row) => [...row.matchAll(/\[(..).*?\]\((.*?)\)/g)]);
+  assert.deepEqual(
+    under("The trunk"),
+    rows.map(([[, , file]]) => addressOf(file)),
+  );
+  for (const [[, name], ...branches] of rows.filter(({ length }) => length > 1))
+    assert.deepEqual(
+      under(`Branches of ${name}`),
+      branches.map(([, , file]) => addressOf(file)),
+    );
+  assert.equal(under("Chapters"), undefined);
+  const groups = readme.match(/^- \*\*.*\*\*:[^]*?(?=\n- |\n\n)/gm);
+  assert.ok(groups.length > 3);
+  for (const group of groups) {
+    const [, name] = /\*\*(.*)\*\*/.exec(group);
+    for (const [, file] of group.matchAll(/\]\((.*?)\)/g))
+      assert.ok(under(name).includes(addressOf(file)), `${file} is not under ${name}`);
+  }
+  const listed = course.flatMap(({ pages: some }) => some);
+  assert.deepEqual(
+    listed.filter(({ parent }) => parent),
+    [],
+  );
+  assert.equal(
+    listed.length,
+    pages.filter(({ parent, sort }) => !parent && !["source", "missing"].includes(sort)).length,
+  );
+});
+
+test("a paper has the same address wherever it is named", () => {
+  const papers = new Map();
+  for (const { html } of readBook(root).pages)
+    for (const [, doi, title] of html.matchAll(
+      /<a href="https:\/\/doi\.org\/([^"]*)">(?:<em>)?(.*?)(?:<\/em>)?<\/a>/gs,
+    )) {
+      assert.match(decodeURIComponent(doi), /^10\.\d{4,9}\/\S+$/);
+      const [begin] = title.replace(/\s+/g, " ").split(":");
+      papers.set(doi, (papers.get(doi) ?? new Set()).add(begin));
+    }
+  assert.ok(papers.size > 30);
+  const named = [...papers.values()].map((titles) => [...titles].sort((a, b) => a.length - b.length));
+  for (const [first, ...others] of named) for (const title of others) assert.ok(title.startsWith(first), title);
+  assert.equal(new Set(named.map(([title]) => title)).size, papers.size);
+});
+
+test("the workflow that publishes the book builds it with options that the book has", () => {
+  const workflow = fs.readFileSync(path.join(root, ".github/workflows/book.yml"), "utf8");
+  const [, options] = /run: \.\/course book --yes -- (.*)/.exec(workflow);
+  const [, folder] = /path: (.*)/.exec(workflow);
+  const words = options.split(" ").map((word) => (word.startsWith('"$') ? "https://a.org/b" : word));
+  const made = project("See [a](../../tests/one.cpp).");
+  const run = spawnSync(process.execPath, [path.join(root, "tools/book/build.js"), "--root", made, ...words], {
+    encoding: "utf8",
+  });
+  assert.equal(run.stderr, "");
+  assert.match(
+    fs.readFileSync(path.join(made, folder, "chapters/01_one/index.html"), "utf8"),
+    /a\.org\/b\/blob\/HEAD\/tests/,
+  );
 });
 
 test("the still of a film is its first picture", () => {

@@ -16,11 +16,11 @@ let browser;
 before(async () => (browser = await launch()));
 after(() => browser.close());
 
-test("the whole book is below 30 MB", () => {
+test("the whole book is below 25 MB", () => {
   const files = fs.readdirSync(folder, { recursive: true }).map((name) => fs.statSync(path.join(folder, name)));
   const bytes = files.reduce((sum, file) => sum + (file.isFile() ? file.size : 0), 0);
   console.log(`${(bytes / 1e6).toFixed(1)} MB, ${pages.length} pages`);
-  assert.ok(bytes < 30e6, `${bytes} bytes`);
+  assert.ok(bytes < 25e6, `${bytes} bytes`);
 });
 
 test("every link and every picture of every page, sources among them, is there, with its anchor", () => {
@@ -82,6 +82,74 @@ test("from a folder, 360 pixels wide: nothing fails, nothing is wider than the p
   assert.ok(heaviest.kB < 1500, heaviest.name);
 });
 
+test("the front page is for a reader: the trunk leads on, and how to install is elsewhere", async () => {
+  const page = await newPage(browser);
+  await page.goto(address("index.html"));
+  const words = await page.locator("article").innerText();
+  assert.doesNotMatch(words, /\.\/course (book|render|test)\b|in the book|\bbelow\b/i);
+  assert.doesNotMatch(words, /github/i);
+  const before = await page.$$eval("article p:has(~ h2#the-trunk) a", (links) =>
+    links.map((link) => link.getAttribute("href")),
+  );
+  for (const target of [
+    "docs/before_you_start.html",
+    "docs/other_systems.html",
+    "chapters/00_naive_impulses/index.html",
+  ])
+    assert.ok(before.includes(target), target);
+  assert.equal(await page.locator("a[rel=next]").getAttribute("href"), "./docs/before_you_start.html");
+  await page.goto(address("docs/other_systems.html"));
+  assert.match(await page.locator("article").innerText(), /\.\/course render/);
+  await page.close();
+});
+
+test("the contents show where the reader is, in the trunk or in a branch, on a telephone, too", async () => {
+  for (const viewport of [
+    { width: 1280, height: 800 },
+    { width: 390, height: 844 },
+  ]) {
+    const page = await newPage(browser, { viewport });
+    for (const [file, heading] of [
+      ["11_substeps", "The trunk"],
+      ["16_whole_problem", "Branches of 21"],
+    ]) {
+      await page.goto(address(`chapters/${file}/index.html`));
+      if (viewport.width < 1000) await page.click("button.menu");
+      const here = page.locator("nav.course [aria-current]");
+      await here.waitFor();
+      const seen = await here.evaluate((link) => {
+        const heading = link.closest("nav > ul").previousElementSibling;
+        const inView = (element) => {
+          const { top, bottom } = element.getBoundingClientRect();
+          return (
+            top >= 0 && bottom <= innerHeight && element.contains(document.elementFromPoint(60, (top + bottom) / 2))
+          );
+        };
+        const background = (element) => getComputedStyle(element).backgroundColor;
+        const other = document.querySelector("nav.course li a:not([aria-current])");
+        return {
+          heading: heading.textContent,
+          seen: inView(heading) && inView(link),
+          marked: background(link) !== background(other),
+          trunk: link.closest("ul.trunk") !== null,
+        };
+      });
+      assert.deepEqual(seen, { heading, seen: true, marked: true, trunk: heading === "The trunk" }, file);
+      // by the keyboard: what has the focus is not hidden by a heading that stays in view
+      await here.focus();
+      for (let i = 0; i < 8; ++i) {
+        await page.keyboard.press("Shift+Tab");
+        const free = await page.evaluate(() => {
+          const { left, top, bottom } = document.activeElement.getBoundingClientRect();
+          return document.activeElement.contains(document.elementFromPoint(left + 40, (top + bottom) / 2));
+        });
+        assert.ok(free, `${file}: ${i}`);
+      }
+    }
+    await page.close();
+  }
+});
+
 test("accessible by the rules of WCAG 2 AA, light and dark", async () => {
   const rules = { light: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"], dark: ["color-contrast"] };
   const kinds = ["index.html", chapter, "docs/hard_cases.html", "renders/hard_cases/table.html", "gallery.html"];
@@ -114,6 +182,18 @@ test("the search finds words, their forms and letters of formulas, and leads the
     await page.fill("#search", question);
     await page.waitForFunction(
       (wanted) => [...document.querySelectorAll(".found li a")].slice(0, 10).some(({ href }) => href.includes(wanted)),
+      file,
+      { timeout: 20000 },
+    );
+  }
+  for (const [question, file] of [
+    ["tunnelling", "25_moment_of_impact/index.html"],
+    ["jitter", "04_slop/index.html"],
+    ["bouncing", "05_restitution/index.html"],
+  ]) {
+    await page.fill("#search", question);
+    await page.waitForFunction(
+      (wanted) => [...document.querySelectorAll(".found li a")].slice(0, 2).some(({ href }) => href.includes(wanted)),
       file,
       { timeout: 20000 },
     );

@@ -91,9 +91,18 @@ function writeAssets() {
   write("assets/search_index.js", `window.PUSHBACK_SEARCH = ${index};\n`);
 
   const katex = path.join(packages, "katex/dist");
-  const style = fs.readFileSync(path.join(katex, "katex.min.css"), "utf8");
+  const rare = {
+    Caligraphic: "mathcal",
+    Fraktur: "mathfrak",
+    SansSerif: "mathsf",
+    Script: "mathscr",
+    Typewriter: "mathtt",
+  };
+  const unused = Object.keys(rare).filter((font) => !book.pages.some(({ html }) => html.includes(` ${rare[font]}"`)));
+  const without = new RegExp(`@font-face\\{[^}]*KaTeX_(${unused.join("|")})[;-][^}]*\\}`, "g");
+  const style = fs.readFileSync(path.join(katex, "katex.min.css"), "utf8").replace(without, "");
   write("assets/katex.css", style.replace(/,url\([^)]*\.(woff|ttf)\) format\("[^"]*"\)/g, ""));
-  for (const name of fs.readdirSync(path.join(katex, "fonts")).filter((file) => file.endsWith(".woff2")))
+  for (const [, name] of style.matchAll(/url\(fonts\/([^)]*\.woff2)\)/g))
     copy(path.join(katex, "fonts", name), `assets/fonts/${name}`);
   // Of the text faces those alphabets that the pages use.
   const faces = ["source-serif-4", "source-sans-3", "source-code-pro"].flatMap((font) => {

@@ -40,7 +40,7 @@ function readPage({ tokens, env: page }) {
       readInline(token, page, line);
       const text = plain(token.children);
       if (tokens[i - 1].type === "heading_open") readHeading(tokens[i - 1], text, page, slugger);
-      else page.sections.at(-1).text += `${text} `;
+      else if (tokens[i - 1].type !== "td_open" || /[a-z]/i.test(text)) page.sections.at(-1).text += `${text} `;
     }
   });
   figures(tokens, page);
