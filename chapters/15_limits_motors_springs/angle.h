@@ -52,7 +52,7 @@ class HingeAngle {
   Vec3 t1_, t2_, u_;  // body axes
 };
 
-/// The rotation of B relative to A about an axis k fixed in A, without the swing of the axis; in [-pi, pi].
+/// The rotation of B relative to A about an axis k fixed in A, without the swing of the axis, in [-pi, pi].
 ///
 ///   q_A* q_B = (w, v) in A's axes,   z = v . k,   theta = 2 atan2(z, w)
 ///   w' = -omega . v / 2,   z' = omega . (w k + v x k) / 2

@@ -49,7 +49,7 @@ class FittingSolver : public ForwardingSolver {
   void whole_step(World& world, Real dt, int sweeps) override { inner().whole_step(world, dt, sweeps); }
   /// Whether its step has its own order: see StepSolver::whole_step.
   bool divides_worlds() const { return holder_->divides_worlds(); }
-  /// The rows of the latest substep; none if the solver shows none.
+  /// The rows of the latest substep, or none if the solver shows none.
   const Rows& rows() const { return holder_->rows(); }
   const JointRows& joint_rows() const { return holder_->joint_rows(); }
 
@@ -108,7 +108,7 @@ class FittingSolver : public ForwardingSolver {
   std::unique_ptr<AnyHolder> holder_;
 };
 
-/// All bodies take part; contacts are detected only if the scene has bodies that can touch.
+/// All bodies take part. Contacts are detected only if the scene has bodies that can touch.
 struct DetectedIfTouching : AllBodies {
   bool touching = true;
   void find_contacts(World& world, const Margin& margin = {}) const {
