@@ -62,7 +62,7 @@ struct Push {
     for (Real v = v0 - mu * World::g * h; v > 0; v -= mu * World::g * h) way += h * v;
     return way;
   }
-  /// s, in which a body stops, and some more; `least` where that is longer.
+  /// s, the time in which a body stops, and some more, but at least `least`.
   Real long_enough(Real least) const { return std::max(least, Real(1.1) * v0 / (mu * World::g)); }
 };
 

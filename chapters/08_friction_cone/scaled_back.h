@@ -1,4 +1,4 @@
-/// A near miss for comparison: solve both tangents at once, then scale back.
+/// A near miss for comparison, which solves both tangents at once and then scales back.
 #pragma once
 
 #include "pushback/chapters/08_friction_cone/friction_cone.h"

@@ -10,7 +10,7 @@
 
 namespace pushback {
 
-/// Whether the answer to `Question` can be yes, if the questions answered yes so far are exactly those of `Yes`.
+/// Whether the answer to `Question` can be yes, if exactly the questions of `Yes` have been answered yes so far.
 template <class Question, class Yes>
 constexpr bool possible = true;
 template <class Question, class Yes>
@@ -30,7 +30,7 @@ void with_answers(const World& world, const Use& use, Questions<Question, Rest..
   with_answers(world, use, Questions<Rest...>{}, Questions<Yes...>{});
 }
 
-/// A solver reduced to the effects that a scene needs. Each call is one indirect call; the sweeps are compiled as in any solver.
+/// A solver reduced to the effects that a scene needs. Each call is one indirect call. The sweeps are compiled as in any solver.
 class FittingSolver : public ForwardingSolver {
  public:
   template <class Full>

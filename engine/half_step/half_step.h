@@ -63,7 +63,7 @@ class HalfStep : public StepSolver, public HalfStepSettings {
   int rounds() const { return motion_.rounds(); }
   /// Whether a single matrix of contacts would have taken more than `most_work`.
   bool too_large() const { return motion_.contacts.too_large(); }
-  /// Multiplications, roughly, of all systems and sweeps; also of a step that failed.
+  /// Multiplications, roughly, of all systems and sweeps, including a step that failed.
   double work() const { return motion_.work(); }
   /// How often bodies met, whether `most_events` were too few, the kinetic energy that impacts dissipated (J), and whether contacts were
   /// held. Only with `impacts`. The energy is below 0 if Newton's rule and friction added some, which happens only with joints.

@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 
 limit=12
-most_in_comments=9999
+most_in_comments=277
 list=""
 if [[ ${1:-} == --list ]]; then list=1 && shift; fi
 pages=("$@")
