@@ -1,4 +1,4 @@
-/// What one would write first: an impulse for every contact, and bodies that overlap moved apart by hand.
+/// The obvious first attempt gives an impulse to every contact, and moves overlapping bodies apart directly.
 ///
 ///   f = -(1 + e) [ n . (v_B - v_A) + w_B . (r_B x n) - w_A . (r_A x n) ] / K
 ///   K = 1/m_A + 1/m_B + (r_A x n) . I_A^-1 (r_A x n) + (r_B x n) . I_B^-1 (r_B x n)
@@ -52,7 +52,7 @@ struct NaiveOnce : StepSolver {
   }
 };
 
-/// Take 2: all of them again and again in the same tick; what the points of one pair ask for is averaged.
+/// Take 2 repeats all of them several times in the same tick, and averages the impulses of one pair's points.
 struct NaiveAveraged : StepSolver {
   void solve(World& world, Real, int times) override {
     Contacts& contacts = world.contacts;

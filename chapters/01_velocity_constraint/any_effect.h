@@ -7,7 +7,7 @@
 
 namespace pushback {
 
-/// For who takes an effect that is compiled elsewhere. A copy has the same settings and goes on as the original would.
+/// An effect that is compiled elsewhere. A copy has the same settings and continues as the original would.
 class AnyEffect : public Effect {
  public:
   AnyEffect() : AnyEffect(Nothing{}) {}

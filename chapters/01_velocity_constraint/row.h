@@ -22,7 +22,7 @@ struct Row : Jacobian {
   Vec3 dva, dwa, dvb, dwb;                           // M^-1 J^T: what an impulse of 1 N s adds to each velocity
   Real effective_mass;                               // 1 / K, kg
   Real separation = 0;                               // C, m: the position error that b may feed back
-  Real bias = 0;                                     // b, m/s: minus the wanted separating speed
+  Real bias = 0;                                     // b, m/s: minus the target separating speed
   Real lo = -std::numeric_limits<Real>::infinity();  // limits of the accumulated impulse, N s
   Real hi = std::numeric_limits<Real>::infinity();
   Real impulse = 0;   // lambda, accumulated over the sweeps, N s
@@ -32,7 +32,7 @@ struct Row : Jacobian {
       : Jacobian(jacobian), a(&first), b(&second), owner(index) {
     weigh();
   }
-  /// Of a contact, along a direction (unit, world axes): its normal, or a tangent.
+  /// For a contact, along a direction (unit, world axes), which is its normal or a tangent.
   Row(World& world, const Contact& at, const Vec3& direction, std::size_t index)
       : Row(world.bodies_of(at), at.point, direction, index) {}
 
@@ -54,7 +54,7 @@ struct Row : Jacobian {
   Real speed() const {
     return n.dot(b->velocity - a->velocity) + (rb_n.dot(b->angular_velocity) - ra_n.dot(a->angular_velocity));
   }
-  /// V += M^-1 J^T lambda.   Inlined in any case: where there are many solvers, g++ would call it.
+  /// V += M^-1 J^T lambda.   Always inlined, because g++ would call it in programs with many solvers.
   [[gnu::always_inline]] void apply(Real lambda) {
     Body &first = *a, &second = *b;
     first.velocity += lambda * dva;
@@ -71,7 +71,7 @@ struct Row : Jacobian {
     impulse = total;
     apply(lambda);
   }
-  /// What the sum would have to be for J V + b = 0 if no other row existed.
+  /// The sum that would make J V + b = 0 if no other row existed.
   Real wanted() const { return impulse - effective_mass * (speed() + bias); }
   void solve() { reach(wanted()); }
   /// How far the row is from being solved, m/s: the change of J V that another `solve` would make.

@@ -5,9 +5,9 @@
 
 namespace pushback {
 
-/// How many rows this thread has solved since it began: computed an impulse from the velocities, and applied it. Who sweeps a
-/// list of rows adds its length, once a sweep: an addition a row would be felt. Not in it: first guesses, which no velocity
-/// decides, and linear systems, which solve no single row.
+/// The number of rows that this thread has solved since it began. To solve a row means to compute an impulse from velocities
+/// and apply it. A sweep adds the length of its list once, because an addition per row costs time. Excluded are initial guesses,
+/// which do not depend on velocities, and linear systems, which solve no single row.
 constinit inline thread_local std::size_t rows_solved = 0;
 
 }  // namespace pushback

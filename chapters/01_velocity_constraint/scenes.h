@@ -1,4 +1,4 @@
-/// What a row holds: a box that falls, one that is thrown upwards, a reader's cube on a slope.
+/// Scenes for a single row: a falling box, one that is thrown upwards, a reader's cube on a slope.
 #pragma once
 
 #include "pushback/common/world/situations.h"
@@ -23,7 +23,7 @@ struct LeavingBox {
     slab(world);
     world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, height, 0}).moving({0, speed, 0}).coloured(2));
   }
-  /// m, if nothing holds it: its speed falls by g h in every step.
+  /// m, if nothing holds it, because its speed falls by g h in every step.
   Real highest_point(Real h) const {
     Real highest = height;
     for (Real v = speed - World::g * h; v > 0; v -= World::g * h) highest += h * v;
@@ -31,7 +31,7 @@ struct LeavingBox {
   }
 };
 
-/// A dropped box at the left; at the right another, let go where it touches the underside of a plate.
+/// A dropped box on the left, and another one on the right, released where it touches the underside of a plate.
 struct DroppedAndUnderPlate {
   DroppedBox dropped;
 
@@ -46,14 +46,14 @@ struct DroppedAndUnderPlate {
         box({Real(0.75), thickness / 2, Real(0.55)}, 1).fixed().at({aside, height + Real(0.49) + thickness / 2, 0}));
     world.add(box(Vec3::Constant(Real(0.5)), 100).at({aside, height, 0}).coloured(4));
   }
-  /// m, of a box that nothing holds: its speed grows by g h in each step.
+  /// m, for a box that nothing holds, because its speed grows by g h in each step.
   static Real fallen(Real time, Real h) {
     const Real steps = std::round(time / h);
     return World::g * h * h * steps * (steps + 1) / 2;
   }
 };
 
-/// Both beside each other: the dropped box at the left, the thrown one at the right.
+/// Both boxes side by side, the dropped one on the left and the thrown one on the right.
 struct DroppedAndThrown {
   DroppedBox dropped;
   LeavingBox thrown;

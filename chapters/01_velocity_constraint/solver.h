@@ -1,4 +1,4 @@
-/// Sequential Impulses: one row after the other, over and over, each satisfied as if it were alone.
+/// Sequential Impulses solves one row after the other, again and again, each as if it were alone.
 ///
 /// What else a solver does is said by the types it is made of: Solver<> solves J V = 0 and nothing more;
 /// Solver<Clamping, Baumgarte, Friction> runs just these three.
@@ -23,13 +23,13 @@ struct StepContext {
 
   /// One row, as if it were alone.
   void solve(std::size_t i) { rows[i].solve(); }
-  /// J V + b of a row, m/s: what an impulse is to make 0.
+  /// J V + b of a row, m/s, which an impulse should make 0.
   Real speed_error(std::size_t i) const { return rows[i].speed() + rows[i].bias; }
 };
 
 /// The hooks of a step, in their order. An effect is a type that derives from this one and defines the hooks that it needs.
-/// One that appends rows of its own solves them in `sweep`; one that solves normals asks `step.solve`. Whoever solves rows adds
-/// them to rows_solved.
+/// An effect that appends its own rows solves them in `sweep`. One that solves normals calls `step.solve`. Both add the number
+/// of solved rows to rows_solved.
 struct Effect {
   /// Throws InvalidInput where a number cannot be used. Nothing of the step has been done yet.
   void check(StepContext&) {}
@@ -52,9 +52,9 @@ struct LaterHook {};
 /// Base of one that declares a hook without which its effects do nothing: `Solver` refuses them.
 struct RequiredHook : LaterHook {};
 
-/// Of an effect that keeps numbers made of the rows' geometry: Friction's step sizes, joints' axes.
+/// For an effect that stores numbers computed from the rows' geometry, such as Friction's step sizes or joints' axes.
 struct UpdatesGeometry : LaterHook {
-  /// The bodies have moved, and the rows are solved once more (chapter 12): make those numbers anew.
+  /// The bodies have moved, and the rows are solved once more (chapter 12), so compute those numbers again.
   void update_geometry(StepContext&) {}
 };
 /// An effect that has the hook, or derives from UpdatesGeometry, does both.
@@ -64,7 +64,7 @@ concept SpellsUpdateGeometry =
      !std::same_as<decltype(&E::update_geometry), decltype(&UpdatesGeometry::update_geometry)>) ||
     (!std::derived_from<E, UpdatesGeometry> && !requires { &E::update_geometry; });
 
-/// A misspelt hook would never be called: insist that at least one is defined. (One that is a template is.)
+/// A misspelt hook would never be called, so require that at least one is defined. (A template counts.)
 template <class E>
 concept AnEffect = std::derived_from<E, Effect> && (std::is_base_of_v<LaterHook, E> || !requires {
                      requires std::same_as<decltype(&E::check), decltype(&Effect::check)>;
@@ -76,7 +76,7 @@ concept AnEffect = std::derived_from<E, Effect> && (std::is_base_of_v<LaterHook,
                      requires std::same_as<decltype(&E::report), decltype(&Effect::report)>;
                    });
 
-/// What the solvers of all chapters have in common. Later chapters derive theirs from it, with one more hook each.
+/// The common part of the solvers of all chapters. Later chapters derive theirs from it, with one more hook each.
 template <class... Effects>
 class SequentialImpulses : public StepSolver, public Effects... {
   static_assert((AnEffect<Effects> && ...), "an effect derives from Effect and defines at least one of its hooks");

@@ -1,4 +1,4 @@
-/// A contact pushes and never pulls: the impulse that it has accumulated over the sweeps is not negative.
+/// A contact pushes and never pulls, so the impulse that it has accumulated over the sweeps is not negative.
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/solver.h"
@@ -12,7 +12,7 @@ struct Clamping : Effect {
   }
 };
 
-/// The mistake to avoid: each correction is clamped, lambda >= 0, not the sum. The sum can then only grow, although a later
+/// The mistake to avoid is to clamp each correction, lambda >= 0, not the sum. The sum can then only grow, although a later
 /// sweep may find that it is too large.
 struct ClampingEachCorrection : Clamping {
   void sweep(StepContext& step) {

@@ -5,8 +5,8 @@
 
 namespace pushback::clamping_scenes {
 
-/// A column that lands flat: four points at once, close together for its height, so that an impulse at one of them is
-/// felt by the others.
+/// A column that lands flat on four points at once. They are so close together for its height that an impulse at one of them
+/// affects the others.
 struct LandingColumn {
   Real fall = Real(0.5);  ///< m
 

@@ -1,4 +1,4 @@
-/// What is too deep: a box in the ground, with gravity and without.
+/// A box that is too deep in the ground, with gravity and without.
 #pragma once
 
 #include "pushback/common/world/situations.h"

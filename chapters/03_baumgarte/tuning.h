@@ -1,4 +1,4 @@
-/// The rule of the sources, run automatically: raise beta until the motion becomes unstable, then use half of that value.
+/// Runs the tuning rule of the sources: raise beta until the motion becomes unstable, then use half of that value.
 #pragma once
 
 #include "pushback/chapters/03_baumgarte/baumgarte.h"
@@ -16,7 +16,7 @@ ContactSolver with_beta(Real beta) {
   return solver;
 }
 
-/// Jitter of a stack of so many boxes, m/s: the root mean square of the speed in the last second.
+/// Jitter of a stack with this number of boxes, m/s, which is the root mean square of the speed in the last second.
 template <class ContactSolver>
 Real jitter_of_stack(int boxes, ContactSolver solver, Real seconds, Real dt, int sweeps) {
   World world;

@@ -1,4 +1,4 @@
-/// Other ways to bounce: two of them mistaken, one that keeps the bounce apart.
+/// Other ways to bounce. Two of them are mistakes, and one keeps the bounce apart.
 #pragma once
 
 #include "pushback/chapters/05_restitution/restitution.h"
@@ -15,7 +15,7 @@ struct RestitutionAdded : Effect {
   }
 };
 
-/// Half a mistake: the speed of approach is read after this step's gravity has been added, and the ball has not fallen by that
+/// Half a mistake is to read the approach speed after this step's gravity has been added, when the ball has not fallen by that
 /// gravity yet.
 struct RestitutionWithGravity : Effect {
   Real threshold = 0;
@@ -28,7 +28,7 @@ struct RestitutionWithGravity : Effect {
   }
 };
 
-/// The bounce in a pass of its own: the sweeps stop the approach and push out; after the last sweep this pass adds the bounce.
+/// The bounce in a separate pass. The sweeps stop the approach and push out. After the last sweep this pass adds the bounce.
 struct RestitutionApart : Effect {
   std::vector<Real> departure;
   void build(StepContext& step) {

@@ -1,11 +1,11 @@
-/// Bounce: part as fast as e times the speed of approach.
+/// Bounce: bodies separate e times as fast as they approached.
 #pragma once
 
 #include "pushback/chapters/04_slop/slop.h"
 
 namespace pushback {
 
-/// v_n before the step: before any of its impulses, and before its gravity, by which the body has not fallen yet.
+/// v_n before the step, before any of its impulses and its gravity, because the body has not fallen by that gravity yet.
 inline Real approach_speed(const World& world, const Contact& at) {
   const auto [a, b] = world.bodies_of(at);
   const auto before = [&](const Body& body) -> Vec3 {
@@ -14,7 +14,7 @@ inline Real approach_speed(const World& world, const Contact& at) {
   return (before(b) - before(a)).dot(at.normal);
 }
 
-/// b = min(b, e v_n): the larger of bounce and push-out, not their sum.
+/// b = min(b, e v_n) keeps the larger of bounce and push-out, not their sum.
 struct Restitution : Effect {
   Real threshold = Real(0.1);  ///< m/s; a body that arrives slower does not bounce
 

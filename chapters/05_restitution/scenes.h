@@ -1,4 +1,4 @@
-/// What bounces: balls of different e, and boxes that hardly move.
+/// Balls of different e that bounce, and boxes that hardly move.
 #pragma once
 
 #include <fmt/format.h>
@@ -30,7 +30,7 @@ struct FallingBalls {
     const Real arrives = std::sqrt(2 * World::g * drop) * std::pow(e, static_cast<Real>(k - 1));
     return arrives > threshold ? drop * std::pow(e, static_cast<Real>(2 * k)) : 0;
   }
-  /// Of the ball with that index, m above where it lies on the ground. Before it stand the ground, balls and shelves.
+  /// For the ball with that index, its height in m above its rest on the ground. The ground, balls and shelves precede it.
   Real height_of(const World& world, std::size_t ball) const {
     const auto shelves = std::count_if(bounciness.begin(), bounciness.begin() + static_cast<std::ptrdiff_t>(ball),
                                        [](Real e) { return e > 0; });
@@ -38,7 +38,7 @@ struct FallingBalls {
   }
 };
 
-/// One ball alone, small enough for its pictures at many instants to stand beside each other.
+/// A single ball, small enough for pictures at many instants side by side.
 struct BouncingBall {
   Real e = Real(0.8), drop = 2, radius = Real(0.13);  ///< m
 
@@ -46,7 +46,7 @@ struct BouncingBall {
     world.add(ground().bouncy(0));
     world.add(sphere(radius, 10).at({0, radius + drop, 0}).bouncy(e));
   }
-  /// s, of the bounce number k, from 1; of the start, mirrored, for 0.
+  /// The time in s of bounce number k, from 1. For k = 0, the time of the start, mirrored.
   Real lands(int k) const {
     Real sum = -1;
     for (int i = 0; i < k; ++i) sum += 2 * std::pow(e, static_cast<Real>(i));

@@ -1,4 +1,4 @@
-/// What rubs: three boxes on a slope, boxes sent out under several headings, a thrown ball; and what each should do.
+/// Scenes with friction and their theory: three boxes on a slope, boxes pushed off in several directions, a thrown ball.
 #pragma once
 
 #include <array>
@@ -7,15 +7,15 @@
 
 namespace pushback::friction_scenes {
 
-/// m from the origin: far enough for boxes under different headings not to touch.
+/// m from the origin, so far that boxes in different directions do not touch.
 inline constexpr Real start = Real(1.2);
 
-/// What the pair needs for the geometric mean to be `wanted`, against a ground with mu = 1.
+/// The coefficient that gives the geometric mean `wanted` against a ground with mu = 1.
 inline Real own_friction(Real wanted) {
   return wanted * wanted;
 }
 
-/// Of three boxes side by side: mustard, brick and olive, which no curve and no marker has.
+/// The colours of three boxes side by side: mustard, brick and olive, which no curve or marker uses.
 inline constexpr std::array<int, 3> colours{2, 4, 5};
 
 /// Three boxes on one slope, mu below, just above, and far above tan(theta).
@@ -62,7 +62,7 @@ struct Push {
     for (Real v = v0 - mu * World::g * h; v > 0; v -= mu * World::g * h) way += h * v;
     return way;
   }
-  /// s, in which a body stops, and some more; `least` where that is longer.
+  /// s, the time in which a body stops, and some more, but at least `least`.
   Real long_enough(Real least) const { return std::max(least, Real(1.1) * v0 / (mu * World::g)); }
 };
 

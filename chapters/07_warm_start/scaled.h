@@ -5,14 +5,14 @@
 
 namespace pushback {
 
-/// Instead of WarmStart. An impact is over in one step: if the next step started from its impulses, it would strike again. The
-/// sweeps minimise, and no sweep over the normals raises,
+/// Replaces WarmStart. An impact is over in one step. If the next step started from its impulses, it would strike again. The
+/// sweeps minimise f, and no sweep over the normals raises it:
 ///
 ///   f(lambda) = lambda . A lambda / 2 + lambda . (J V + b),   A = J M^-1 J^T
 ///
 /// Along s lambda its slope is lambda . (J V + b) at s = 0, and at s = 1 the same with the velocities that the guess leaves;
-/// f is the mean of both. (Softness adds to A and to b.) If f > 0, the guess is worse than none; then only a part s of it is
-/// applied, with the s at which the slope is 0.
+/// f is the mean of both. (Softness adds to A and to b.) If f > 0, the guess is worse than none. Then only a fraction s of it
+/// is applied, where s makes the slope 0.
 struct ScaledWarmStart : WarmStart {
   void start(auto& step) {
     Rows& rows = step.rows;

@@ -1,4 +1,4 @@
-/// A stack at rest: how well it is solved with so many sweeps.
+/// Measures how well a given number of sweeps solves a stack at rest.
 #pragma once
 
 #include "pushback/chapters/07_warm_start/full_solver.h"

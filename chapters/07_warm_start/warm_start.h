@@ -1,4 +1,4 @@
-/// A step starts from the impulses with which the last one ended: they very nearly solve this one, too.
+/// A step starts from the final impulses of the previous step, because they almost solve this step as well.
 #pragma once
 
 #include "pushback/chapters/06_friction/friction.h"
@@ -16,7 +16,7 @@ struct WarmStart : Effect {
     const Real scale = step.world.impulse_scale(step.dt);
     known_.assign(contacts.size(), false);
     first_guess_.assign(contacts.size(), Vec3::Zero());
-    auto old = before.begin();  // both lists ascend: walk them side by side
+    auto old = before.begin();  // both lists ascend, so go through them in parallel
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       while (old != before.end() && old->id < contacts[i].id) ++old;
       if (old == before.end() || old->id != contacts[i].id) continue;

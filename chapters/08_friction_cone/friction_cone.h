@@ -1,11 +1,11 @@
-/// Friction that does not know its tangents: the two impulses together stay within a disc.
+/// Friction that does not depend on the choice of tangents, because both impulses together stay within a disc.
 #pragma once
 
 #include "pushback/chapters/07_warm_start/warm_start.h"
 
 namespace pushback {
 
-/// The tangents' 2 x 2 block of J M^-1 J^T, 1/kg: how an impulse along one tangent changes the speed along each.
+/// The tangents' 2 x 2 block of J M^-1 J^T, 1/kg. It gives the change of the speeds along both tangents per impulse along each.
 /// Symmetric, and positive definite where at least one of the bodies moves.
 struct TangentBlock {
   Real k11, k12, k22;
@@ -30,7 +30,7 @@ struct FrictionCone : Friction, UpdatesGeometry {
     Friction::build(step);
     update_geometry(step);
   }
-  /// A step larger than 1 / k can overshoot, and feed energy in. So k is computed anew whenever the rows have moved.
+  /// A step larger than 1 / k can overshoot, and feed energy in. So k is computed again whenever the rows have moved.
   void update_geometry(StepContext& step) {
     step_sizes_.clear();
     for (std::size_t i = 0; i < mu_.size(); ++i)

@@ -1,4 +1,4 @@
-/// The near miss: solve both tangents at once, then scale back. To be compared.
+/// A near miss for comparison, which solves both tangents at once and then scales back.
 #pragma once
 
 #include "pushback/chapters/08_friction_cone/friction_cone.h"

@@ -1,4 +1,4 @@
-/// Planks pushed off in all directions, and where they should stop; how far off the direction of friction is.
+/// Planks pushed off in all directions, their theoretical stopping places, and the error in the direction of friction.
 #pragma once
 
 #include "pushback/chapters/06_friction/scenes.h"
@@ -81,8 +81,8 @@ inline Real largest_direction_error(const World& world, Real h) {
   return largest;
 }
 
-/// A stick of 2 m and 5 kg that leans by 69 degrees to +x and touches the ground with its foot, a point; its foot slips in
-/// the direction of `slip`. One contact, which is all there is: the solver is called by hand.
+/// A stick of 2 m and 5 kg that leans by 69 degrees to +x and touches the ground with its foot, a point. The foot slips in
+/// the direction of `slip`. This is the only contact, and the solver is called directly.
 struct Stick {
   World world;
 

@@ -1,4 +1,4 @@
-/// Sequential impacts: each pair bounces before the next pair is solved.
+/// Sequential impacts, in which each pair bounces before the next pair is solved.
 #pragma once
 
 #include "pushback/chapters/05_restitution/restitution.h"

@@ -8,7 +8,7 @@ namespace pushback {
 /// Replaces RestitutionFromSurface, and comes before Friction in the list. In a step in which a contact bounces, each sweep
 /// repeats the normals until they are solved. An impact lasts one step, so no later step corrects an error of its sweeps.
 ///
-/// The counterpart of SequentialImpacts: if a ball at 5 m/s hits a row of four equal balls, the five leave with -3, 2, 2, 2 and
+/// The counterpart of SequentialImpacts. If a ball at 5 m/s hits a row of four equal balls, the five leave with -3, 2, 2, 2 and
 /// 2 m/s.
 struct SimultaneousImpacts : RestitutionFromSurface {
   Real precision = Real(1e-6);  ///< relative to the fastest bounce: the largest change of a speed that ends the rounds

@@ -1,4 +1,4 @@
-/// Non-linear Gauss-Seidel: moves the bodies of one contact after the other apart by a fraction of their present overlap.
+/// Non-linear Gauss-Seidel moves the bodies of one contact after the other apart, by a fraction of their present overlap.
 #pragma once
 
 #include "pushback/chapters/03_baumgarte/baumgarte.h"

@@ -12,7 +12,7 @@ namespace pushback::position_correction_scenes {
 template <class PushOut>
 using With = CorrectingSolver<Clamping, PushOut, Slop, Restitution, Friction, WarmStart>;
 
-/// The jitter of a stack against beta: the root mean square of the speed in the last of ten seconds, mm/s.
+/// The jitter of a stack against beta, which is the root mean square of the speed in the last of ten seconds, mm/s.
 template <class PushOut>
 Curve jitter_curve(const std::string& name, std::size_t colour, int boxes, Real dt, With<PushOut> solver) {
   Curve jitter{name, {}, {}, line_colour(colour), Curve::Style::line_and_points};

@@ -1,4 +1,4 @@
-/// What takes many sweeps, beside the stacks of common/world: heavy on light.
+/// Scenes that need many sweeps because a heavy body lies on a light one. The stacks are in common/world.
 #pragma once
 
 #include "pushback/common/world/situations.h"

@@ -14,7 +14,7 @@ inline Real drift_of_top(const World& world) {
   return std::hypot(top.x(), top.z());
 }
 
-/// Of the latest scene: how far its top body drifts, and how deep contacts are at the end.
+/// For the latest scene: the drift of its top body, and the depth of contacts at the end.
 inline void number_overlap(Experiment& e) {
   e.number("overlap at the end", "mm", [](const Run& run) { return 1000 * run.samples.back().overlap; });
 }
@@ -26,7 +26,7 @@ inline void number_drift(Experiment& e) {
   e.number("drift of the top", "mm", [](const Run& run) { return drift_in_mm(run.world); });
 }
 
-/// What is measured of a stack.
+/// The measured values of a stack.
 inline void watch_stack(Experiment& e) {
   e.series("drift of the top", "mm", drift_in_mm, true);
   e.number("drift of the top", "mm", [](const Run& run) { return drift_in_mm(run.world); });
@@ -39,7 +39,7 @@ inline void watch_stack(Experiment& e) {
   number_overlap(e);
 }
 
-/// The scene of a box on one that is lighter, and what is measured of it; variants are to follow.
+/// The scene of a box on a lighter one, and its measurements. Variants are added afterwards.
 inline void scene_of_heavy(Experiment& e, const HeavyOnLight& heavy) {
   e.scene({.name = spelled(heavy.mass_ratio) + " times heavier than what it lies on",
            .fill = heavy,
@@ -64,7 +64,7 @@ struct StackCurves {
   Curve drift, speed, overlap;  ///< mm, mm/s, mm, against what `along` says
 };
 
-/// `along`: what a budget is drawn at.
+/// `along`: the budget on the horizontal axis.
 template <class ContactSolver>
 StackCurves study(const std::string& name, std::size_t colour, int boxes, Real dt, const std::vector<Budget>& budgets,
                   const std::function<int(const Budget&)>& along) {

@@ -9,7 +9,7 @@
 
 namespace pushback {
 
-/// A solver that divides each step into `count` substeps, of one sweep each. Contacts are detected anew in every one of them.
+/// A solver that divides each step into `count` substeps, with one sweep each. Every substep detects the contacts again.
 /// Macklin et al., "Small Steps in Physics Simulation", SCA 2019.
 template <std::derived_from<StepSolver> ContactSolver>
 struct Substeps : ContactSolver {

@@ -1,4 +1,4 @@
-/// Chapter 12a's solver as a plain loop: each overlap is a spring with a damper. A test holds it to the bits of
+/// Chapter 12a's solver as a plain loop, in which each overlap is a spring with a damper. A test holds it to the bits of
 /// Substeps<RelaxingSolver<Clamping, SoftContacts, Restitution, FrictionCone, WarmStart>> without its relaxing pass.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// A column of boxes on soft contacts is a mast: how high it can be, and how it bends.
+/// The theory of a column of boxes on soft contacts as a mast: its largest height, and its bending.
 #pragma once
 
 #include "pushback/common/world/situations.h"
@@ -6,7 +6,7 @@
 namespace pushback {
 
 /// A mast stands on a fixed foot and carries its own weight. It can stand bent as soon as c = q L^3 / EI is as large as this, and
-/// so it buckles; q: weight of a metre, N/m; L: length, m; EI: bending stiffness, N m^2.
+/// so it buckles. q: weight of a metre, N/m; L: length, m; EI: bending stiffness, N m^2.
 /// Greenhill, "Determination of the greatest height ... a vertical pole or mast can be made", Proc. Cambridge Phil. Soc. 4, 1881.
 inline constexpr Real greenhill = Real(7.83734744);
 
@@ -18,9 +18,9 @@ struct MastShape {
 
 /// At the height `up`: 0 is the foot, 1 the top. With s from the top, s = 1 - up, and theta for the slope:
 ///
-///   theta'' = -c s theta,  theta'(0) = 0      the weight above bends it; at its top nothing does
+///   theta'' = -c s theta,  theta'(0) = 0      the weight above bends it, and at its top there is none
 ///   theta = sum_k a_k s^3k,  a_0 = 1,  a_k = -c a_(k-1) / ((3k - 1) 3k)
-///   theta(1) = 0                              at the foot it is upright: the smallest such c is Greenhill's
+///   theta(1) = 0                              it is upright at the foot, and the smallest such c is Greenhill's
 inline MastShape mast_shape(Real up) {
   const Real s = 1 - up;
   Real a = 1, theta = 0, aside = 0, top = 0;

@@ -1,4 +1,4 @@
-/// A solver whose contacts may give way, and with one more sweep: once the bodies have moved.
+/// A solver whose contacts may give way, with one more sweep after the bodies have moved.
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/solver.h"
@@ -23,7 +23,7 @@ struct RelaxingContext : StepContext {
 
 /// Declares the hook of a RelaxingSolver. The effects that derive from it define it.
 struct Relaxes : RequiredHook {
-  /// The bodies have moved. What the rows ask for changes: for no push-out any more.
+  /// The bodies have moved. Removes the push-out from the target velocities.
   void relax(RelaxingContext&) {}
 };
 /// An effect that has the hook, or derives from Relaxes, does both.
@@ -32,7 +32,7 @@ concept SpellsRelax =
     (std::derived_from<E, Relaxes> && !std::same_as<decltype(&E::relax), decltype(&Relaxes::relax)>) ||
     (!std::derived_from<E, Relaxes> && !requires { &E::relax; });
 
-/// Calls `relax` and then `update_geometry` of the effects that have them, once the bodies have moved; then it sweeps once
+/// Calls `relax` and then `update_geometry` of the effects that have them, once the bodies have moved. Then it sweeps once
 /// more, and reports again.
 template <class... Effects>
 class RelaxingSolver : public SequentialImpulses<Effects...> {

@@ -13,8 +13,8 @@ namespace pushback {
 ///   J V + b + gamma lambda = 0                               the two of them, taken at the end of the step: implicitly
 ///   gamma = 1 / (h (c + h k)),  b = k / (c + h k) C          stable, however stiff
 ///
-/// A contact that carries the force F rests at the depth d with k d = F. So a contact that carries a load overlaps, and no slop
-/// is needed.
+/// A contact that carries the force F rests at the depth d with k d = F. So a contact that carries a load overlaps and needs
+/// no slop.
 /// Catto, "Soft Constraints", GDC 2011; relaxing as in Catto, "Solver2D", 2024.
 struct SoftContacts : Effect, Relaxes {
   Real hertz = 240;           ///< of the spring; see angular_frequency

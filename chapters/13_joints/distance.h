@@ -23,7 +23,7 @@ inline Joint distance(const World& world, int a, const Vec3& point_a, int b, con
   const auto ask = [=](const Body& first, const Body& second, const TimeStep&, Equations& equations) {
     const Vec3 p_a = point_of(first, on_a), p_b = point_of(second, on_b);
     const Real apart = (p_b - p_a).norm();
-    const Vec3 n = apart > 0 ? Vec3((p_b - p_a) / apart) : Vec3::UnitY();  // coincident: any direction will do
+    const Vec3 n = apart > 0 ? Vec3((p_b - p_a) / apart) : Vec3::UnitY();  // coincident, so any direction is correct
     equations.push_back({.jacobian = Jacobian::along(n, first, p_a, second, p_b), .error = apart - length});
   };
   const auto line = [=](const Body& first, const Body& second) {

@@ -1,4 +1,4 @@
-/// Joints as an effect: each equation of a joint becomes a row.
+/// Joints as an effect, in which each equation of a joint becomes a row.
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/solver.h"

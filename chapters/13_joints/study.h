@@ -1,4 +1,4 @@
-/// Measurements against theory: the period of a pendulum and the drift off a wire.
+/// Compares measurements with theory, for the period of a pendulum and the drift off a wire.
 #pragma once
 
 #include "pushback/chapters/13_joints/joints.h"

@@ -1,4 +1,4 @@
-/// A split impulse for joints: the impulse that closes gaps is separate from the impulse that carries loads, and is not stored.
+/// A split impulse for joints. The impulse that closes gaps is separate from the impulse that carries loads, and is not stored.
 #pragma once
 
 #include "pushback/chapters/14_joints_under_load/warm_joints.h"

@@ -44,7 +44,7 @@ class HingeAngle {
   Angle of(const Body& a, const Body& b) const {
     const Vec3 t1 = a.orientation * t1_, t2 = a.orientation * t2_, u = b.orientation * u_;
     const Real p = u.dot(t1), q = u.dot(t2), size = p * p + q * q;
-    if (!(size > 0)) return {0, t1.cross(t2)};  // u is parallel to the axis: the hinge is off by 90 degrees
+    if (!(size > 0)) return {0, t1.cross(t2)};  // u is parallel to the axis, so the hinge is off by 90 degrees
     return {std::atan2(q, p), u.cross(p * t2 - q * t1) / size};
   }
 
@@ -52,7 +52,7 @@ class HingeAngle {
   Vec3 t1_, t2_, u_;  // body axes
 };
 
-/// The rotation of B relative to A about an axis k fixed in A, without the swing of the axis; in [-pi, pi].
+/// The rotation of B relative to A about an axis k fixed in A, without the swing of the axis, in [-pi, pi].
 ///
 ///   q_A* q_B = (w, v) in A's axes,   z = v . k,   theta = 2 atan2(z, w)
 ///   w' = -omega . v / 2,   z' = omega . (w k + v x k) / 2
@@ -66,11 +66,11 @@ class TwistAngle {
 
   Angle of(const Body& a, const Body& b) const {
     const Quat turn = a.orientation.conjugate() * b.orientation * b_to_a_;
-    const Real sign = turn.w() < 0 ? Real(-1) : Real(1);  // q and -q are the same rotation: take the shorter one
+    const Real sign = turn.w() < 0 ? Real(-1) : Real(1);  // q and -q are the same rotation, so take the shorter one
     const Real w = sign * turn.w();
     const Vec3 v = sign * turn.vec();
     const Real z = v.dot(k_), size = w * w + z * z;
-    if (!(size > 0)) return {0, a.orientation * k_};  // the axis is reversed: any twist will do
+    if (!(size > 0)) return {0, a.orientation * k_};  // the axis is reversed, so any twist is correct
     return {2 * std::atan2(z, w), a.orientation * ((w * (w * k_ + v.cross(k_)) + z * v) / size)};
   }
 
@@ -85,7 +85,7 @@ class TwistAngle {
 inline Angle swing(const Vec3& s, const Vec3& u) {
   const Vec3 across = s.cross(u);
   const Real sine = across.norm();
-  const Vec3 about = sine > 0 ? Vec3(across / sine) : tangents_of(s).tangent1;  // at 0 and pi: any axis across s
+  const Vec3 about = sine > 0 ? Vec3(across / sine) : tangents_of(s).tangent1;  // at 0 and pi any axis across s is correct
   return {std::atan2(sine, s.dot(u)), about};
 }
 

@@ -5,7 +5,7 @@
 
 namespace pushback {
 
-/// C >= 0, by a force that is never negative: the limit pushes but does not pull. `row` contains J.
+/// C >= 0, by a force that is never negative, so the limit pushes but does not pull. `row` contains J.
 ///
 ///   C > 0:  b = C / h      in this step C may fall to 0
 ///   C <= 0: fed back like every error

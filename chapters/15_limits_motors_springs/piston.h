@@ -27,7 +27,7 @@ inline Joint piston(const World& world, int a, const Vec3& point_a, int b, const
   const auto ask = [=](const Body& first, const Body& second, const TimeStep& now, Equations& equations) {
     const Vec3 p_a = point_of(first, on_a), p_b = point_of(second, on_b);
     const Real apart = (p_b - p_a).norm();
-    const Vec3 n = apart > 0 ? Vec3((p_b - p_a) / apart) : Vec3::UnitY();  // coincident: any direction will do
+    const Vec3 n = apart > 0 ? Vec3((p_b - p_a) / apart) : Vec3::UnitY();  // coincident, so any direction is correct
     const Real begin = length_at(now.time), end = length_at(now.time + now.dt);
     require_positive("length of a piston", end);
     equations.push_back({.jacobian = Jacobian::along(n, first, p_a, second, p_b),

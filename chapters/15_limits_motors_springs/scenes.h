@@ -46,7 +46,7 @@ inline Real angle_of_bar(const World& world) {  // degrees from straight down
 inline Joint stop_of_bar(const World& world, Real stop_at = bar_stop) {
   return angle_limits(world, the_world, 0, Vec3::UnitZ(), -pi / 2, stop_at * pi / 180 - bar_lifted);
 }
-/// The mistake to avoid: within a degree of the stop, the limit lacks lambda >= 0.
+/// The mistake to avoid is a limit without lambda >= 0 within a degree of the stop.
 inline Joint stop_that_sucks(const World& world, Real stop_at = bar_stop) {
   Joint stop = stop_of_bar(world, stop_at);
   stop.ask = [ask = stop.ask](const Body& a, const Body& b, const TimeStep& now, Equations& equations) {

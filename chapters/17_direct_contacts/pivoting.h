@@ -1,4 +1,4 @@
-/// An exact solution of contacts without friction: pivoting finds which of them press and which separate.
+/// An exact solution of contacts without friction. Pivoting finds which of them press and which separate.
 #pragma once
 
 #include <optional>

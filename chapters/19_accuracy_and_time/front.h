@@ -1,4 +1,4 @@
-/// Measurements, and the settings worth choosing: none that is both slower and less accurate than another.
+/// Measurements, and the settings worth choosing, so that no other setting is both faster and more accurate.
 #pragma once
 
 #include <limits>
@@ -40,7 +40,7 @@ Measurements front(Measurements all);
 /// Whether `one`, a member of `all`, takes at most `slack` times as long as the fastest without more error.
 bool is_near_front(const Measured& one, const Measurements& all, double slack);
 
-/// The fastest with at most this error (m); nothing if there is none.
+/// The fastest with at most this error (m), or nothing if there is none.
 std::optional<Measured> cheapest(const Measurements& all, double error);
 
 /// The largest factor by which `ours` takes longer than a point on the front of `theirs` for the same error, over the points with

@@ -15,7 +15,7 @@ struct TruePlaces {
 
   explicit TruePlaces(std::vector<Places> after_each_frame) : places(std::move(after_each_frame)) {}
   explicit TruePlaces(const Motion& motion) : places(motion.truth(motion.frames())) {}
-  /// The places after the latest complete frame; nullptr before the first.
+  /// The places after the latest complete frame, or nullptr before the first.
   const Places* at(Real time) const {
     const auto frames = static_cast<std::ptrdiff_t>(std::floor(time * frames_per_second + Real(1e-3)));
     return frames == 0 ? nullptr : &places[static_cast<std::size_t>(std::min(frames, std::ssize(places)) - 1)];

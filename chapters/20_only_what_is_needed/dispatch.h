@@ -10,7 +10,7 @@
 
 namespace pushback {
 
-/// Whether the answer to `Question` can be yes, if the questions answered yes so far are exactly those of `Yes`.
+/// Whether the answer to `Question` can be yes, if exactly the questions of `Yes` have been answered yes so far.
 template <class Question, class Yes>
 constexpr bool possible = true;
 template <class Question, class Yes>
@@ -30,7 +30,7 @@ void with_answers(const World& world, const Use& use, Questions<Question, Rest..
   with_answers(world, use, Questions<Rest...>{}, Questions<Yes...>{});
 }
 
-/// A solver reduced to the effects that a scene needs. Each call is one indirect call; the sweeps are compiled as in any solver.
+/// A solver reduced to the effects that a scene needs. Each call is one indirect call. The sweeps are compiled as in any solver.
 class FittingSolver : public ForwardingSolver {
  public:
   template <class Full>
@@ -49,7 +49,7 @@ class FittingSolver : public ForwardingSolver {
   void whole_step(World& world, Real dt, int sweeps) override { inner().whole_step(world, dt, sweeps); }
   /// Whether its step has its own order: see StepSolver::whole_step.
   bool divides_worlds() const { return holder_->divides_worlds(); }
-  /// The rows of the latest substep; none if the solver shows none.
+  /// The rows of the latest substep, or none if the solver shows none.
   const Rows& rows() const { return holder_->rows(); }
   const JointRows& joint_rows() const { return holder_->joint_rows(); }
 
@@ -108,7 +108,7 @@ class FittingSolver : public ForwardingSolver {
   std::unique_ptr<AnyHolder> holder_;
 };
 
-/// All bodies take part; contacts are detected only if the scene has bodies that can touch.
+/// All bodies take part. Contacts are detected only if the scene has bodies that can touch.
 struct DetectedIfTouching : AllBodies {
   bool touching = true;
   void find_contacts(World& world, const Margin& margin = {}) const {

@@ -56,7 +56,7 @@ struct Keep<Yes, SolverOf<Kept...>, E, Rest...> {
 };
 
 template <class Full, class Yes>
-struct OnlyOf {  // not composed of effects: there is nothing to leave out
+struct OnlyOf {  // not composed of effects, so there is nothing to leave out
   using type = Full;
 };
 template <template <class...> class SolverOf, class... Effects, class Yes>

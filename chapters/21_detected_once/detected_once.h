@@ -10,9 +10,9 @@
 
 namespace pushback {
 
-/// Soft contacts, a friction cone, restitution, warm start and relaxing as in chapters 05 to 12; joints as in chapter 14.
+/// Soft contacts, a friction cone, restitution, warm start and relaxing as in chapters 05 to 12, and joints as in chapter 14.
 ///
-/// Between steps it stores no impulses: its initial guess comes from the world's contacts and joints.
+/// Between steps it stores no impulses, because its initial guess comes from the world's contacts and joints.
 class DetectedOnce : public SubsteppingSolver {
  public:
   Real carried_from = Real(1e-3);  ///< m/s; bodies with a lower relative velocity keep their rows as detected
@@ -24,7 +24,7 @@ class DetectedOnce : public SubsteppingSolver {
     StepContext step = joints_step(world, h);
     joints.check(step);
   }
-  /// Once per step: builds the rows and sets their initial impulses.
+  /// Builds the rows and sets their initial impulses, once per step.
   void after_detection(World& world, Real h) override {
     measured_.reset();
     bodies_.clear();
@@ -40,7 +40,7 @@ class DetectedOnce : public SubsteppingSolver {
       contacts_[i].give(bodies_, 1);
     });
   }
-  /// In each substep: sets the target velocity of each normal, applies the initial guess and sweeps.
+  /// Sets the target velocity of each normal, applies the initial guess and sweeps, in each substep.
   void solve(World& world, Real h, int sweeps) override {
     StepContext step = joints_step(world, h);
     joints.build(step);
@@ -60,7 +60,7 @@ class DetectedOnce : public SubsteppingSolver {
     joints.finish(step);
     joints.report(step);
   }
-  /// In each substep, once the bodies have moved: updates displacements and rows, and makes the relaxing pass.
+  /// Updates displacements and rows, and makes the relaxing pass, once the bodies have moved in each substep.
   void after_move(World& world, Real h) override {
     for (KeptBody& each : bodies_) {
       if (each.body->conveys) continue;
@@ -76,7 +76,7 @@ class DetectedOnce : public SubsteppingSolver {
     sweep(step, true);
     joints.report(step);
   }
-  /// Once per step: stores the impulses in the contacts and removes the contacts that did not touch.
+  /// Stores the impulses in the contacts and removes the contacts that did not touch, once per step.
   void end_detection(World& world) override {
     if (fastest_ > 0) measured_ = measure();  // before the impulses of an impact are discarded
     forget_impacts();

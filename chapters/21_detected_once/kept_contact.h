@@ -61,7 +61,7 @@ struct KeptContact {
     carried_ = apart;
     found += C - separation(bodies);  // the separation stays
   }
-  /// Before the bodies move: sets the target velocity of the normal row for this substep. A contact that is apart may close its
+  /// Sets the target velocity of the normal row for this substep, before the bodies move. A contact that is apart may close its
   /// gap, JV + C/h >= 0. A bouncing contact that would arrive in this substep bounces now. A contact that overlaps is a spring.
   void prepare_substep(const std::vector<KeptBody>& bodies, const PushOut& push_out, Real h) {
     const Real C = separation(bodies), approach = restitution > 0 ? speed_before() : 0;
@@ -122,7 +122,7 @@ struct KeptContact {
       bodies[b].gets(impulse * row->dvb, impulse * row->dwb);
     }
   }
-  /// Before the sweeps of a substep: saves its initial impulses.
+  /// Saves the initial impulses of a substep, before its sweeps.
   void save_impulses() { start_ = {normal.impulse, tangent1.impulse, tangent2.impulse}; }
   /// Restores the saved impulses, from which the next substep starts.
   void restore(std::vector<KeptBody>& bodies) {

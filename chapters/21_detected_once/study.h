@@ -9,7 +9,7 @@ namespace pushback::detected_once_scenes {
 /// The same solver with contacts detected in each substep.
 using DetectedInEach = RelaxingSolver<SteadyJoints, Clamping, SoftContacts, Restitution, FrictionCone, WarmStart>;
 
-/// The mistake to avoid: only bodies that touch at the start of the step have rows.
+/// The mistake to avoid is to make rows only for bodies that touch at the start of the step.
 struct WithoutMargin : DetectedOnce {
   Plan plan(Real /*dt*/) const override { return {.substeps = substeps, .sweeps = 1}; }
 };

@@ -8,7 +8,7 @@
 
 namespace pushback {
 
-/// The shortest rotation from the direction of a to the direction of b; one of the half turns if they are opposite. All other
+/// The shortest rotation from the direction of a to the direction of b, or one half turn if they are opposite. All other
 /// results equal the bits of Eigen's FromTwoVectors, which takes 8 s to compile because it finds the axis of a half turn by a
 /// singular value decomposition.
 inline Quat shortest_turn(const Vec3& a, const Vec3& b) {

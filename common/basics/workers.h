@@ -7,7 +7,7 @@
 
 namespace pushback {
 
-/// The items from `begin` to before `end`; `index`: the number of the part, from 0.
+/// The items from `begin` to before `end`. `index`: the number of the part, from 0.
 struct Part {
   std::size_t begin, end, index;
 };
@@ -17,7 +17,7 @@ class Workers;
 /// The default workers: one thread.
 Workers& alone();
 
-/// Runs the parts. This type runs them one after the other; a derived type runs several at a time.
+/// Runs the parts. This type runs them one after the other, and a derived type runs several at a time.
 class Workers {
  public:
   Workers() = default;

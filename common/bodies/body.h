@@ -63,11 +63,11 @@ struct alignas(64) Body {
   Body& in_groups(std::uint32_t bits);  ///< sets `groups`; 0: no body touches it
   Body& touching(std::uint32_t bits);   ///< sets `touches`; 0: it touches no body
   Body& with_skin(Real thickness);      ///< m; touching bodies stay apart by the sum of their skins
-  /// Makes an immovable body a conveyor: it stays in place while its surface moves (m/s, world axes). Faces parallel to the
+  /// Makes an immovable body a conveyor, which stays in place while its surface moves (m/s, world axes). Faces parallel to the
   /// velocity carry the bodies on them. Faces across it push as if the body itself moved.
   Body& conveying(const Vec3& surface_velocity);
 
-  /// Moves an immovable body by hand: sets both velocities so that the next step of dt seconds takes the body there, by the
+  /// Moves an immovable body by hand. Sets both velocities so that the next step of dt seconds takes the body there, by the
   /// shorter turn, whatever the number of substeps. The velocities stay after the step, so call this before each step. Throws
   /// InvalidInput if the body can move by itself or conveys, a number is not finite, `to` has length 0, or dt is not above 0.
   Body& moved_to(const Vec3& where, const Quat& to, Real dt);

@@ -16,7 +16,7 @@ struct PlacedSolid {
   Vec3 inertia_per_kilogram;                ///< m^2, about the principal axes
 };
 
-/// The convex hull of the points (m). Points inside it are left out; corners keep the order of the points. Points that are
+/// The convex hull of the points (m). Points inside it are left out, and corners keep the order of the points. Points that are
 /// coplanar, collinear or coincident to about 1e-7 of the solid's size (2e-6 in single precision) count as such, so that four
 /// points of a plane make one face, not two. If the faces do not close then, the tolerance grows up to 30 times.
 ///

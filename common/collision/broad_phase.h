@@ -1,4 +1,4 @@
-/// Broad phase: finds the pairs of bodies that are near enough for the narrow phase.
+/// The broad phase finds the pairs of bodies that are near enough for the narrow phase.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace pushback {
 
-/// The smallest box along the world axes that contains a body's shape and skin; infinite in every direction for a half-space.
+/// The smallest box along the world axes that contains a body's shape and skin. Infinite in every direction for a half-space.
 struct Bounds {
   Vec3 low, high;  ///< m
   bool overlaps(const Bounds& other) const {
@@ -18,7 +18,7 @@ struct Bounds {
   }
 };
 Bounds bounds_of(const Body& body);
-/// The same, enlarged by the margin: by `least` on all sides, and by the way of the body in `ahead`.
+/// The same, enlarged by the margin, which is `least` on all sides plus the way of the body in `ahead`.
 Bounds bounds_of(const Body& body, const Margin& margin);
 
 using BodyPair = std::pair<int, int>;  ///< indices, first < second

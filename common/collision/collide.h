@@ -1,4 +1,4 @@
-/// Narrow phase: finds the points at which two shapes touch.
+/// The narrow phase finds the points at which two shapes touch.
 #pragma once
 
 #include "pushback/common/collision/contact.h"
@@ -6,7 +6,7 @@
 
 namespace pushback {
 
-/// Appends to `contacts` up to four points at which the bodies overlap; none if they do not overlap or both are immovable. The
+/// Appends to `contacts` up to four points at which the bodies overlap. None if they do not overlap or both are immovable. The
 /// normal points from `a` to `b`, whichever shapes they have; a.index < b.index. Bodies that are apart by no more than the margin
 /// also get points, with a negative depth. If a body has a skin, the surface of the skin counts.
 ///

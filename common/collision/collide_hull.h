@@ -27,9 +27,9 @@ struct PlacedPolyhedron {
   Real highest(const Vec3& n) const;  ///< the largest
 };
 
-/// The incident face against a reference face with the normal n. Of the faces that reach down to the lowest corner along n, it is the
+/// The incident face for a reference face's normal n. Among the faces that reach down to the lowest corner along n, it is the
 /// one whose normal is nearest to -n. A face with an edge that lies flat there comes before all others, because a wedge rests on its
-/// whole blade. Height differences up to `clearly` (m) and differences of n . normal up to 1e-3 do not count; ties go to the first.
+/// whole blade. Height differences up to `clearly` (m) and differences of n . normal up to 1e-3 do not count. Ties go to the first.
 int face_below(const PlacedPolyhedron& hull, const Vec3& n, Real clearly);
 
 /// `clearly` (m): an overlap is less than another only by more than this, so that rounding does not choose. `rounding` and `margin`:

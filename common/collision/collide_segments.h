@@ -29,7 +29,7 @@ struct Segments {
   Nearest at(Real s, Real t) const { return {s, t, between + t * half_b - s * half_a}; }
 };
 
-/// The nearest points; if the segments are parallel, one such pair.
+/// The nearest points, or one such pair if the segments are parallel.
 Nearest nearest(const Segments& segments);
 
 }  // namespace pushback

@@ -1,4 +1,4 @@
-/// Shared by the functions of the narrow phase: shapes in their pose, and manifolds.
+/// Shapes in their pose, and manifolds, shared by the functions of the narrow phase.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ struct Placed {
   Mat3 axes;  ///< columns: the body's axes
 };
 
-/// A sphere or a capsule: all points within `radius` of its core, the segment from centre - half to centre + half.
+/// A sphere or a capsule, all points of which are within `radius` of its core, the segment from centre - half to centre + half.
 /// The core of a sphere is a point (half = 0), so one function serves both.
 struct Round {
   Vec3 centre, half;
@@ -46,7 +46,7 @@ struct Manifold {
   Vec3 normal = Vec3::UnitY();
   /// m, along the normal. Set within the margin if the first shape is a box or a hull, even if no point touches.
   Real overlap = -std::numeric_limits<Real>::max();
-  bool passes = false;  ///< they meet only in a sliver, and no point touches
+  bool passes = false;  ///< they meet only in a sliver, where no point touches
   bool ahead = false;   ///< the normal is the one with which they would touch: see Margin
   int count = 0;
   Touch touches[4];

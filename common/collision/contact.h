@@ -1,4 +1,4 @@
-/// Contacts: the results of collision detection for the solver, and of the solver for the pictures.
+/// Contacts, which are results of collision detection for the solver, and of the solver for the pictures.
 #pragma once
 
 #include <compare>

@@ -30,7 +30,7 @@ struct RayHit {
 /// more, or infinite.
 void check(const Ray& ray);
 
-/// Where the ray enters the body, regardless of groups and skin; nullopt if it does not enter within its length.
+/// The place where the ray enters the body, regardless of groups and skin, or nullopt if it does not enter within its length.
 /// A ray that begins on a surface and leads out of the body does not hit it. Throws as check(ray).
 ///
 /// The solution has a closed form, because a solid is an intersection of half-spaces, a ball, or for a capsule a cylinder between

@@ -1,4 +1,4 @@
-/// A self-checking exercise: scenes that are played with an answer, and the numbers that they measure.
+/// A self-checking exercise, with scenes that are played with an answer, and the numbers that they measure.
 #pragma once
 
 #include <functional>
@@ -68,7 +68,7 @@ struct Exercise {
   bool whole() const { return !behind.empty(); }
   /// Whether it is outside the chapters' folders: a teacher's own exercise, or a whole solver.
   bool own() const { return !object.empty(); }
-  /// Whether it is graded by default: its answer is on no page. A whole solver is graded on request.
+  /// Whether it is graded by default, because its answer is on no page. A whole solver is graded on request.
   bool graded() const { return !in_page && !whole(); }
 };
 

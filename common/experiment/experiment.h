@@ -100,7 +100,7 @@ struct Variant {
   Variant& changing(std::function<void(World&)> how);
   /// Replaces the number of sweeps in the solver's plan. --sweeps overrides it.
   Variant& with_sweeps(int count);
-  /// The same, but --sweeps does not override it: for variants that compare numbers of sweeps.
+  /// The same, but --sweeps does not override it. For variants that compare numbers of sweeps.
   Variant& with_exactly(int count);
   /// Sets the index of the colour and marker. By default, a name has the same ones in all scenes.
   Variant& coloured(int which);
@@ -120,7 +120,7 @@ class Experiment {
   /// `name`: of the folder and the program. `question`: the heading of the sheet.
   Experiment(std::string name, std::string question);
 
-  /// Adds a parameter to those that every experiment has; see parameter.h.
+  /// Adds a parameter to the ones that every experiment has, see parameter.h.
   void parameter(const Parameter& parameter, ParameterVariable variable);
   /// The added parameters, in the order in which they were added.
   const std::vector<ParameterWithDefault>& parameters() const;
@@ -148,7 +148,7 @@ class Experiment {
   void number(const std::string& name, const std::string& unit, std::function<Real(const Run&)> of);
   /// Adds computations of the experiment itself. `work` is called after all variants have been played, and calls `panel` and `remark`.
   void study(std::function<void()> work);
-  /// Adds a diagram after those of the scenes.
+  /// Adds a diagram after the diagrams of the scenes.
   void panel(Panel panel);
   /// Adds the problem of a step, which an interactive page solves iteration by iteration (iterated_problem.h) and makes on demand.
   void iterations(const std::string& of, std::function<IteratedProblem()> make);

@@ -16,7 +16,7 @@ inline std::string line_colour(std::size_t index) {
   return line_colours[index % line_colours.size()];
 }
 
-/// For the same index as line_colour; wraps around after seven markers.
+/// For the same index as line_colour. Wraps around after seven markers.
 inline std::string marker_of(std::size_t index) {
   static constexpr std::array markers{"●", "■", "▲", "◆", "▼", "★", "✚"};
   return markers[index % markers.size()];

@@ -9,7 +9,7 @@
 
 namespace pushback {
 
-/// `arrow`: length in m for an impulse of 1 N s; without it, contacts are not drawn. Arrows are at most 1.5 times as long as a
+/// `arrow`: length in m for an impulse of 1 N s. Without it, contacts are not drawn. Arrows are at most 1.5 times as long as a
 /// typical body, and arrows that their contact's dot would hide are omitted. Dots and shafts have the same size on the picture at
 /// any distance, unless that size is large compared with a typical body.
 Picture picture_of(const World& world, const Camera& camera, std::optional<Real> arrow);

@@ -1,4 +1,4 @@
-/// The layout of a figure: axes with their ticks, and the names of the curves, in pixels from the top left corner.
+/// The layout of a figure, with axes, ticks, and the names of the curves, in pixels from the top left corner.
 #pragma once
 
 #include <limits>
@@ -53,7 +53,7 @@ struct FigureLayout {
 /// For at most four panels. The panels still contain values below the floor and values that a logarithmic axis cannot show: see `drawn`.
 FigureLayout lay_out(const std::vector<Panel>& panels);
 
-/// The value as it is drawn: the floor if the value is below it, not_drawn if a logarithmic axis cannot show it.
+/// The value as it is drawn, which is the floor for lower values, and not_drawn if a logarithmic axis cannot show it.
 Real drawn(const Panel& panel, Real y);
 
 /// The ascending middles nearest to `wanted` (ascending, too) at which items of these heights do not overlap, between `low` and `high`.
@@ -65,7 +65,7 @@ std::vector<Real> spread(const std::vector<Real>& wanted, const std::vector<Real
 std::vector<std::pair<Real, Real>> marker_places(const std::vector<std::pair<Real, Real>>& path, Real width,
                                                  std::size_t index, std::size_t count);
 
-/// Divides panels among figures: at most four per figure, and consecutive ones with the same title together.
+/// Divides panels among figures, with at most four per figure, and consecutive ones with the same title together.
 std::vector<std::vector<Panel>> in_figures(const std::vector<Panel>& panels);
 
 inline constexpr Real not_drawn = std::numeric_limits<Real>::quiet_NaN();

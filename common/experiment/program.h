@@ -49,7 +49,7 @@ class CommandLine {
   CommandLine& operator=(const CommandLine&) = delete;
 
   Option flag(const std::string& name, bool& value, const std::string& help);
-  /// `Value` is a number, a string, a path, or a container of them: one of the types that program.cpp instantiates.
+  /// `Value` is a number, a string, a path, or a container of them. program.cpp instantiates these types.
   template <class Value>
   Option option(const std::string& name, Value& value, const std::string& help);
   void version(const std::string& text, const std::string& help);

@@ -29,7 +29,7 @@ struct Strobe {
 /// A strip of coloured cells, one column per step.
 struct Raster {
   std::string label;  ///< name of a row of cells: "contact point"
-  /// The cells in the column of a world, from the top: each is an index into `meaning`, or -1 for an empty cell.
+  /// The cells in the column of a world, from the top. Each is an index into `meaning`, or -1 for an empty cell.
   std::function<std::vector<int>(const World&)> of;
   std::vector<std::pair<Ink, std::string>> meaning;
 };
@@ -74,7 +74,7 @@ struct Scene {
   std::optional<Raster> raster = {};  ///< below each row, or to the right of its picture if there is only one
   int cell_height = 0;                ///< pixels, for a cell 500 wide; 0: in the proportions of --size, by default 281
   bool open = true;                   ///< whether a reader's own solver plays it, too; false if no contacts are solved
-  /// Indices of the two variants that the table of contents shows; by default the first and the last.
+  /// Indices of the two variants that the table of contents shows, by default the first and the last.
   std::optional<std::pair<std::size_t, std::size_t>> in_brief = {};
   std::optional<Guess> guess = {};  ///< guess_1.png, ...; only for the first scene that has pictures
 };

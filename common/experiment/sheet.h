@@ -63,7 +63,7 @@ std::vector<SheetLabel> labels_of(const Scene& scene, Real aspect);
 /// Writes labels on a picture that covers a part of `image`, in text of the size `size`. All in pixels.
 void write_labels(Image& image, const std::vector<SheetLabel>& labels, int x, int y, int width, int height, float size);
 
-/// A shuffled order of `count` pictures: the index of the picture at each place. The same name gives the same order.
+/// A shuffled order of `count` pictures, with the index of the picture at each place. The same name gives the same order.
 std::vector<std::size_t> guess_order(const std::string& name, std::size_t count);
 
 }  // namespace pushback

@@ -1,4 +1,4 @@
-/// A hand in the picture: the body under it, and the spring with which it pulls.
+/// A hand in the picture that pulls the body under it by a spring.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ struct Grab {
   Vec3 hand;     ///< m, world axes
 };
 
-/// The first body that the ray hits, and the point of the hit; none if there is no body, or it is not movable.
+/// The first body that the ray hits, and the point of the hit, or none if there is no body or it is not movable.
 std::optional<Grab> grab(const World& world, const Ray& ray);
 
 /// A damped spring whose stiffness is proportional to the body's mass, so that heavy and light bodies follow the hand with the same

@@ -1,4 +1,4 @@
-/// Plays an experiment interactively: forwards and backwards in time, with other parameters, with a hand that pulls bodies.
+/// Plays an experiment interactively, forwards and backwards in time, with other parameters and a hand that pulls bodies.
 #pragma once
 
 #include <functional>
@@ -62,7 +62,7 @@ class Live {
 
   // ---- the hand ------------------------------------------------------------------------------------------------------
 
-  /// Grabs the movable body under (x, y) of the picture, each from -1 to 1, right and up; false if there is none. The body is held in
+  /// Grabs the movable body under (x, y) of the picture, each from -1 to 1, right and up. False if there is none. The body is held in
   /// all tracks, and the steps played after this instant are discarded.
   bool grab_at(std::size_t track, const Camera& camera, Real aspect, Real x, Real y);
   /// Moves the hand to (x, y), parallel to the image plane.
@@ -84,7 +84,7 @@ class Live {
 
   const World& world(std::size_t track) const;
   const std::vector<Sample>& samples(std::size_t track) const;
-  /// Why the track ended early; empty if it did not.
+  /// The reason why the track ended early, or empty if it did not.
   const std::string& mishap(std::size_t track) const;
   /// One value per step played. A scene without series has one, the deepest overlap, mm.
   const std::vector<Real>& series(std::size_t track, std::size_t which) const;

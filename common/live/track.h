@@ -14,7 +14,7 @@ class Live::Track {
 
   Track(const Experiment& of, const Experiment::SceneRecord& record, const Variant& variant, std::size_t bytes);
 
-  /// Goes to a step. `hand`: what the hand held in each step.
+  /// Goes to a step. `hand`: the hand's grip in each step.
   void go_to(std::size_t step, const Hand& hand);
   void forget_after(std::size_t step);
 

@@ -1,4 +1,4 @@
-/// An OpenGL 3.3 core context without a window. Two files implement it; the build picks one.
+/// An OpenGL 3.3 core context without a window. The build picks one of the two files that implement it.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-/// A picture as pixels; writes and reads PNG files.
+/// A picture as pixels, with functions that write and read PNG files.
 #pragma once
 
 #include <cstdint>

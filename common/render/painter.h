@@ -8,7 +8,7 @@
 
 namespace pushback {
 
-/// Has its own context, so that any number of painters may exist; each belongs to the thread that made it. The same picture gives the
+/// Has its own context, so that any number of painters may exist. Each belongs to the thread that made it. The same picture gives the
 /// same bytes on one machine, but another version of the driver may differ in the last bit.
 class Painter {
  public:

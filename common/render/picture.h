@@ -39,21 +39,21 @@ struct Solid {
   Colour colour;
 };
 
-/// A shaft with a head, from `tail` to `tip` (m, world axes); drawn without a shadow.
+/// A shaft with a head, from `tail` to `tip` (m, world axes), drawn without a shadow.
 struct Arrow {
   Vec3 tail, tip;
   Real thickness;  ///< m, diameter of the shaft
   Colour colour;
 };
 
-/// A thin line (m, world axes); drawn without a shadow, and faintly through the bodies.
+/// A thin line (m, world axes), drawn without a shadow, and faintly through the bodies.
 struct Line {
   Vec3 from, to;
   Real thickness;  ///< m
   Colour colour;
 };
 
-/// A small ball that marks a contact point; drawn without a shadow, and visible through the bodies.
+/// A small ball that marks a contact point, drawn without a shadow, and visible through the bodies.
 struct Dot {
   Vec3 position;
   Real radius;  ///< m

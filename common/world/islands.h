@@ -1,4 +1,4 @@
-/// Islands: sets of movable bodies that contacts, joints and other calls of `join` connect, directly or through other movable bodies.
+/// Islands are sets of movable bodies that contacts, joints and other calls of `join` connect, directly or through movable bodies.
 /// Immovable bodies connect nothing.
 #pragma once
 

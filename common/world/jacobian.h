@@ -1,4 +1,4 @@
-/// The Jacobian of contacts, friction and joints: maps the velocities of two bodies to the speed of a constraint.
+/// The Jacobian of contacts, friction and joints, which maps the velocities of two bodies to the speed of a constraint.
 #pragma once
 
 #include "pushback/common/bodies/body.h"

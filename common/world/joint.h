@@ -46,7 +46,7 @@ struct Joint {
   int a, b;          ///< indices in World::bodies, or the_world
   /// Appends the equations of the joint, the same number in every step. `a` and `b` are the bodies with its indices.
   std::function<void(const Body& a, const Body& b, const TimeStep& now, Equations& equations)> ask;
-  /// The corners (m, world axes) of a thin line that shows the joint; empty: it is not drawn.
+  /// The corners (m, world axes) of a thin line that shows the joint, or empty if it is not drawn.
   std::function<std::vector<Vec3>(const Body& a, const Body& b)> line = {};
   bool driven = false;     ///< the equations prescribe a motion or change with time, so its bodies never come to rest
   bool colliding = false;  ///< whether its two bodies may touch; most bodies overlap at their joint

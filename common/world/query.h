@@ -1,4 +1,4 @@
-/// Queries that change nothing in the world: which bodies does a ray hit, and which would another body touch?
+/// Queries that change nothing in the world. They find bodies that a ray hits, and bodies that another body would touch.
 ///
 /// Each query tests all bodies one after the other: first their groups, then their bounds, and only then their shapes.
 #pragma once
@@ -11,7 +11,7 @@
 
 namespace pushback {
 
-/// The first body that the ray hits; at equal distances, the one with the lower index. Throws as check(ray).
+/// The first body that the ray hits, and at equal distances the one with the lower index. Throws as check(ray).
 std::optional<RayHit> nearest_hit(const World& world, const Ray& ray);
 /// Every body that the ray hits, once each, by distance, then by index. Bodies do not stop the ray. Throws as check(ray).
 std::vector<RayHit> all_hits(const World& world, const Ray& ray);
@@ -19,7 +19,7 @@ std::vector<RayHit> all_hits(const World& world, const Ray& ray);
 /// A body of the world that the ghost touches, and the contacts.
 struct Overlap {
   int body = -1;  ///< Body::index
-  /// At most four. A is the body of the world and B the ghost; id.body_b is World::bodies.size().
+  /// At most four. A is the body of the world and B the ghost, with World::bodies.size() as id.body_b.
   Contacts contacts;
 };
 /// The bodies, in ascending order, that `ghost` would touch in its present pose, although it is not in the world. These are the

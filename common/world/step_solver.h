@@ -7,7 +7,7 @@
 
 namespace pushback {
 
-/// A solver's plan of a step: how often to detect contacts, how often to solve velocities, and which workers to use.
+/// A solver's plan of a step, with the numbers of detections and of velocity solves, and the workers to use.
 struct Plan {
   int detections = 1;           ///< parts of the step; each begins by detecting contacts
   int substeps = 1;             ///< of each part; all have the same contacts

@@ -53,14 +53,14 @@ class World {
   /// indices of all other bodies stay valid. Throws InvalidInput unless there is a body at this index.
   void remove(int body);
 
-  /// Advances the world by dt (s), see step.h. `sweeps`: in each substep; by default the number in the solver's plan. Throws
+  /// Advances the world by dt (s), see step.h. `sweeps`: in each substep, by default the number in the solver's plan. Throws
   /// InvalidInput unless 0 < dt <= 1, sweeps >= 0, every body's state is finite, and the solver can solve this world. No body has
   /// moved then. (If a state becomes infinite between two detections of one step, the world stays as it was before the later
   /// detection.)
   void step(StepSolver& solver, Real dt, int sweeps);
   void step(StepSolver& solver, Real dt);
 
-  /// The first part of a step, for programs that solve by themselves: everything before the solver.
+  /// The first part of a step, which is everything before the solver, for programs that solve by themselves.
   void begin_step(Real dt);
   /// Replaces `contacts` by the contacts of bodies that touch now or are within the margin.
   void find_contacts(const Margin& margin = {}, Workers& workers = alone());
@@ -72,7 +72,7 @@ class World {
   std::pair<const Body&, const Body&> bodies_of(const Contact& at) const {
     return {bodies[at.id.body_a], bodies[at.id.body_b]};
   }
-  /// The body with this index; for the_world, an immovable body with its centre at the origin.
+  /// The body with this index. For the_world, it is an immovable body with its centre at the origin.
   Body& body(int index) { return index == the_world ? immovable_ : bodies[static_cast<std::size_t>(index)]; }
   const Body& body(int index) const {
     return index == the_world ? immovable_ : bodies[static_cast<std::size_t>(index)];

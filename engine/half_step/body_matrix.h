@@ -31,7 +31,7 @@ class BodyMatrix {
   double of_solve() const { return 36 * static_cast<double>(columns_.size() + 2 * entries_.size()); }
 
  private:
-  struct Entry {  // a block below the diagonal and its mirror image: of an eliminated body and one that comes later
+  struct Entry {  // a block below the diagonal and its mirror image, for an eliminated body and one that comes later
     int later;
     Block lower = Block::Zero(), upper = Block::Zero();
   };

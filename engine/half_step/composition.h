@@ -11,7 +11,7 @@ namespace pushback {
 ///
 ///   sum a_i = 1,  sum a_i^3 = 0
 ///
-/// that vanishes, and the composed step is of order 4. One a_i has to be negative, a step back in time. Joints and gravity allow
+/// that vanishes, and the composed step has order 4. One a_i has to be negative, a step back in time. Joints and gravity allow
 /// this, but friction and impacts do not.
 ///   Yoshida, Phys. Lett. A 150, 1990; Suzuki, Phys. Lett. A 146, 1990.
 inline constexpr std::array<Real, 3> yoshida = [] {

@@ -25,8 +25,8 @@ struct StepOutcome {
 ///   v += h/2 M^-1 f(x)                          the second half, with the forces at the new place
 ///   v += M^-1 J(x)^T lambda                     so that J v = 0
 ///
-/// The position is a separate constraint, so no error is fed back as a velocity and there is no beta. The step is the same back in
-/// time. Forces may depend on places and on time. A force that depends on velocities, such as drag, makes the step first order.
+/// The position is a separate constraint, so no error is fed back as a velocity and there is no beta. The step is the same
+/// backwards in time. Forces may depend on positions and time. Velocity-dependent forces, such as drag, make it first order.
 ///
 /// Contacts are also held in both stages (held_contacts.h), and so are limits, motors and springs (held_joints.h). Rows that
 /// cannot be solved one kind at a time are solved together by newton_from_guess.h. An impact makes a step of first order, unless
@@ -63,7 +63,7 @@ class HalfStep : public StepSolver, public HalfStepSettings {
   int rounds() const { return motion_.rounds(); }
   /// Whether a single matrix of contacts would have taken more than `most_work`.
   bool too_large() const { return motion_.contacts.too_large(); }
-  /// Multiplications, roughly, of all systems and sweeps; also of a step that failed.
+  /// Multiplications, roughly, of all systems and sweeps, including a step that failed.
   double work() const { return motion_.work(); }
   /// How often bodies met, whether `most_events` were too few, the kinetic energy that impacts dissipated (J), and whether contacts were
   /// held. Only with `impacts`. The energy is below 0 if Newton's rule and friction added some, which happens only with joints.

@@ -115,7 +115,7 @@ class HeldContacts {
   WarmDirectContacts direct_ = exact_direct_contacts();
   NewtonFromGuess newton_;
   StageContacts stage_;
-  Contacts touching_;  // those of stage_
+  Contacts touching_;  // the touching contacts of stage_
   std::string failure_;
   std::vector<ContactMemory> known_, known_before_;  // of World::contacts, ascending
   ContactSums sums_;                                 // since `begin`

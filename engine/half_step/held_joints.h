@@ -39,7 +39,7 @@ class HeldJoints {
   void press(Real h);
   /// A lambda = -(J v + dC/dt). `h`: the step whose second half this is.
   void project(Real h);
-  /// Ends the first stage: its impulses are added to the sums.
+  /// Ends the first stage and adds its impulses to the sums.
   void pressed();
   /// Ends the second stage likewise. Its impulses are the expected ones of the next step.
   void projected(Real h);

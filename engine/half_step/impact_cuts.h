@@ -25,7 +25,7 @@ enum class Impacts { sequential, simultaneous };
 ///
 ///   T = 2 u / (a (1 - e))
 ///
-/// If T is not above a substep, this is the last bounce: the body leaves with no speed, u^2 / (2 a) <= a h^2 (1 - e)^2 / 8 too
+/// If T is not above a substep, this is the last bounce. The body leaves with no speed, u^2 / (2 a) <= a h^2 (1 - e)^2 / 8 too
 /// low. With joints a is not known in advance, and is taken to be g.
 ///
 /// Joined bodies do not fly freely. The half step itself gives their motion, because its drift uses v + h/2 a, where a includes the

@@ -23,7 +23,7 @@ struct BodyError {
 ///
 ///   half steps           (x_n/2 - x_n) / 3        of order 2
 ///   fourth order         (x_n/2 - x_n) / 15       joints without contacts near, if half steps would need more than eight
-///   substeps             h / 2 dv                 of order 1: x += h v has this error, and dv is known after the step. Add the depth
+///   substeps             h / 2 dv                 of order 1: x += h v has this error, and dv is known afterwards. Add the depth
 ///                                                 by which contacts have sunk, which is the error of the contact law: see sunken
 ///
 /// A velocity error becomes a position error later: dv T / 2 on average, T = 1 s. A step of h is allowed
@@ -32,8 +32,8 @@ struct BodyError {
 ///
 /// Otherwise the step is repeated with twice as many substeps. If the error was far below for a while, the next step takes half. If
 /// nothing changes, only every fourth step is taken twice. A chain that whips is checked sooner, see off_when. If more substeps
-/// do not reduce the error, the two steps differ in which bodies touch first, or stick. Then the error remains
-/// and is reported as not kept.
+/// do not reduce the error, the step size is not its cause: the two steps differ in which bodies touch first, or stick. Then
+/// the error remains, and the step is reported as not kept.
 ///
 /// Two steps do not reveal the error of a bounce, because both find the same impact, and a later impact amplifies its error. If joined
 /// bodies meet others in substeps, the impact is found first and its effect on joints afterwards, with an error that does not depend on the

@@ -11,7 +11,7 @@ using namespace pushback;
 ///
 /// You read            pivot                m, world axes
 ///                     contact.point        m, world axes
-///                     contact.normal       n, unit, world axes, from the bat to the ball; it leads to the ball's centre
+///                     contact.normal       n, unit, world axes, from the bat towards the ball's centre
 ///                     contact.restitution  e
 /// of a body           position             m, of its centre of mass
 ///                     inverse_mass         1/m, 1/kg
@@ -22,8 +22,8 @@ using namespace pushback;
 ///
 /// A matrix M has M.inverse(). Mat3::Identity() is the unit matrix, d * d.transpose() the matrix of all d_i d_j.
 inline void hit(Body& bat, const Vec3& pivot, Body& ball, const Contact& contact) {
-  // TODO the inertia of the bat about its pivot, by Steiner's theorem; K of this pair; the impulse;
-  // then the velocities of both bodies
+  // TODO the inertia of the bat about its pivot, by Steiner's theorem, then K of this pair, then the impulse,
+  // and finally the velocities of both bodies
   (void)bat, (void)pivot, (void)ball, (void)contact;  // take this line out
   // TODO ends
 }

@@ -7,7 +7,7 @@ namespace student {
 
 using namespace pushback;
 
-/// One sweep over the rows of a magnet: the normals of all points at which it touches. Called over and over.
+/// One sweep over the rows of a magnet, which are the normals of all points at which it touches. It is called repeatedly.
 ///
 /// `force` is F, N: so much the whole magnet holds, and each of its points an equal part. `h` is the length of the step, s.
 ///
@@ -18,7 +18,7 @@ using namespace pushback;
 /// and keep   impulse             the sum of this row's impulses in this step, N s: 0 as the step begins
 /// and call   apply(lambda)       V += M^-1 J^T lambda: changes the velocities of both bodies
 inline void sweep(Rows& rows, Real force, Real h) {
-  // TODO of each row the new sum, and the interval in which it has to stay; then its part that is not applied yet
+  // TODO for each row the new sum within its allowed interval, then the difference that has not been applied yet
   (void)rows, (void)force, (void)h;  // take this line out
   // TODO ends
 }

@@ -10,9 +10,9 @@ using namespace pushback;
 /// The part beta of the overlap should be gone after a step of h seconds, but the push-out is no faster than `cap`, m/s.
 ///
 /// You read   normal.separation   C, m: negative where the bodies overlap, positive where they are still apart
-/// and set    normal.bias         b, m/s: minus the separating speed that is wanted; another effect may have set it
+/// and set    normal.bias         b, m/s: minus the target separating speed, which another effect may have set already
 inline void push_out(Row& normal, Real beta, Real cap, Real h) {
-  // TODO the bias of chapter 03, capped; what another effect has asked for is not
+  // TODO the bias of chapter 03, capped, but without a cap on the bias of another effect
   (void)normal, (void)beta, (void)cap, (void)h;  // take this line out
   // TODO ends
 }

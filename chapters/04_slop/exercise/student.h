@@ -7,13 +7,13 @@ namespace student {
 
 using namespace pushback;
 
-/// The bias of a contact point, for a step of h seconds. The point may be of bodies that are still apart: it is a contact as
+/// The bias of a contact point, for a step of h seconds. The bodies may still be apart, because a contact begins as
 /// soon as they are closer than the margin.
 ///
 /// You read   normal.separation   C, m: positive where the bodies are apart, negative where they overlap
 /// and set    normal.bias         b, m/s: 0 as this is called. The row makes J V + b >= 0, and only ever pushes
 inline void set_bias(Row& normal, Real beta, Real slop, Real h) {
-  // TODO apart: the bodies may close the gap within this step, and no more. Overlapping: the bias of chapter 04
+  // TODO if apart, the bodies may close the gap within this step, but no more. If overlapping, use the bias of chapter 04
   (void)normal, (void)beta, (void)slop, (void)h;  // take this line out
   // TODO ends
 }

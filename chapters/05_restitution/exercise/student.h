@@ -7,18 +7,18 @@ namespace student {
 
 using namespace pushback;
 
-/// A bounce of bodies that yield where they are hit hard. Up to the yield speed e is that of the contact, above it e falls.
+/// A bounce of bodies that yield in hard impacts. Up to the yield speed, e is the contact's own value, and above it e falls.
 ///
-/// You read   step.contacts.size()                how many contacts there are; step.rows[i] is the row of step.contacts[i]
+/// You read   step.contacts.size()                the number of contacts, where step.rows[i] is the row of step.contacts[i]
 ///            approach_speed(step.world, contact)  v_n before the step, m/s: negative while the bodies approach
 /// of a contact   restitution                     e of slow impacts, 0 to 1
-/// and set        step.rows[i].bias               b, m/s: minus the wanted separating speed; the push-out may have set it
+/// and set        step.rows[i].bias               b, m/s: minus the target separating speed, which the push-out may have set
 struct YieldingBounce : Effect {
-  Real threshold = Real(0.1);  // m/s; what arrives more slowly does not bounce
+  Real threshold = Real(0.1);  // m/s; slower impacts do not bounce
   Real yield = 2;              // m/s
 
   void build(StepContext& step) {
-    // TODO for each normal row: the e of this impact, by the law of the task; then the bias as in chapter 05
+    // TODO for each normal row: first the e of this impact, by the law of the task, then the bias as in chapter 05
     (void)step;  // take this line out
     // TODO ends
   }

@@ -11,7 +11,7 @@ struct Surfaces {
   Real mu;                     ///< friction of the pair
   Real lever;                  ///< m: rolling resistance holds a turn with up to this times the normal force
   Vec3 belt_a = Vec3::Zero();  ///< m/s, world axes: how A's surface runs over A, as the belt of a conveyor does
-  Vec3 belt_b = Vec3::Zero();  ///< m/s: that of B
+  Vec3 belt_b = Vec3::Zero();  ///< m/s: the same for B
 };
 
 struct Answer {

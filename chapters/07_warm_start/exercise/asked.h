@@ -6,16 +6,16 @@
 
 namespace pushback::exercise_07 {
 
-/// What is known of a contact point.
+/// The stored data of a contact point.
 struct Remembered {
   ContactId id;
-  Vec3 impulse = Vec3::Zero();  ///< N s, world axes: what the solver last applied there
+  Vec3 impulse = Vec3::Zero();  ///< N s, world axes: the impulse that the solver last applied there
   Real dt = 0;                  ///< s, the length of the step in which it did
   Real age = 0;                 ///< s, since that step
 };
 using Memory = std::vector<Remembered>;
 
-/// s: for so long a point is remembered that no longer touches.
+/// s: the time for which a point is remembered after it last touched.
 inline constexpr Real lasts = Real(0.1);
 
 struct Answer {

@@ -9,15 +9,15 @@ namespace student {
 using namespace pushback;
 using namespace pushback::exercise_07;
 
-/// Memory is a std::vector<Remembered>. Of each point you may keep
-///   id        its name: body_a, body_b, feature; compare ids by ==
-///   impulse   N s, world axes; a Contact has it under the same name once its step is solved
+/// Memory is a std::vector<Remembered>. For each point you may store
+///   id        its name: body_a, body_b, feature. Compare ids by ==
+///   impulse   N s, world axes. A Contact has it under the same name once its step is solved
 ///   dt, age   s: see the task
 /// std::erase_if(memory, [&](const Remembered& one) { return ...; }) takes out those for which that is true.
 
-// TODO guess: the same force, for this step. keep: what has just acted, and who is too old. put_elsewhere: whose points go
+// TODO guess: the same force, for this step. keep: new impulses in, old ones out. put_elsewhere: remove the body's points
 
-/// Before a step of dt: the impulse that this point is to start with. Zero for a point that is not known.
+/// Before a step of dt: the initial impulse of this point. Zero for an unknown point.
 inline Vec3 guess(const Memory& memory, const ContactId& id, Real dt) {
   (void)memory, (void)id, (void)dt;  // take this line out
   return Vec3::Zero();
@@ -26,7 +26,7 @@ inline Vec3 guess(const Memory& memory, const ContactId& id, Real dt) {
 inline void keep(Memory& memory, const Contacts& contacts, Real dt) {
   (void)memory, (void)contacts, (void)dt;  // take this line out
 }
-/// Between two steps: the body with this index has been put elsewhere.
+/// Between two steps: the body with this index has been moved elsewhere.
 inline void put_elsewhere(Memory& memory, std::uint32_t body) {
   (void)memory, (void)body;  // take this line out
 }

@@ -11,12 +11,12 @@ using exercise_08::Skate;
 /// Solves both tangents of a skate's contact, one along its blade and one across it. Called 300 times.
 ///
 /// You read   along.speed(), across.speed()   u, m/s: how fast the skate slips in each direction now
-///            along.effective_mass            1 / k11, kg; and across.effective_mass 1 / k22
+///            along.effective_mass            1 / k11, kg, and across.effective_mass is 1 / k22
 ///            skate.k12                       1/kg: what couples the two
 ///            skate.mu_along, mu_across       the coefficients of friction
 ///            skate.normal                    the sum of the normal impulses, N s
 ///            along.impulse, across.impulse   the sums of this step so far, N s
-/// and call   along.reach(sum)                the sum becomes `sum`, and both bodies get the difference; and across.reach
+/// and call   along.reach(sum)                the sum becomes `sum`, and both bodies get the difference. across.reach likewise
 inline void solve(Row& along, Row& across, const Skate& skate) {
   // TODO both sums, moved against the slip and projected, so that at the fixed point the law of the task holds
   (void)along, (void)across, (void)skate;  // take this line out

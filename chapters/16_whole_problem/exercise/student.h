@@ -16,7 +16,7 @@ using namespace pushback;
 ///            u.segment<3>(3 * c)   its speeds, m/s, in the same order
 inline double residual(const ContactProblem& problem, const Vector& r) {
   const Vector u = problem.speeds(r);
-  // TODO the natural map: the projection of r - (u + mu |u_t| n) to each contact's cone; the error as a part of |q|
+  // TODO the natural map: the projection of r - (u + mu |u_t| n) to each contact's cone, and the error as a fraction of |q|
   return 0 * u.norm();  // take this line out
   // TODO ends
 }

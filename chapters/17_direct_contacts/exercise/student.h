@@ -18,7 +18,7 @@ using Eigen::Index;
 inline Index pivot(exercise_17::Tableau& tableau, Index entering) {
   Eigen::MatrixXd& t = tableau.t;
   const Index last = t.cols() - 1;
-  // TODO the ratio test: in which row is the first to reach 0; then solve that row for `entering`, and put it into all others
+  // TODO the ratio test finds the row that is first to reach 0. Solve this row for `entering`, and substitute it into the others
   (void)entering, (void)last;  // take this line out
   return -1;
   // TODO ends

@@ -15,7 +15,7 @@ using namespace pushback;
 ///            world.joints                  the pairs that are joined: joint.a and .b are indices of bodies
 inline std::vector<bool> asleep(const World& world, const std::vector<bool>& rests) {
   std::vector<bool> sleeps(world.bodies.size(), false);
-  // TODO find the islands from contacts and joints; then decide which of them fall asleep
+  // TODO find the islands from contacts and joints, and then decide which of them fall asleep
   (void)rests;  // take this line out
   // TODO ends
   return sleeps;

@@ -12,7 +12,7 @@ struct Found {
   Real C;             ///< C_0, m: negative where the bodies overlapped
 };
 
-/// What a body has done since then: sums over the substeps.
+/// The motion of a body since then, as sums over the substeps.
 struct Moved {
   Vec3 way;   ///< of h v, m
   Vec3 turn;  ///< of h w, rad

@@ -9,14 +9,14 @@ using namespace pushback;
 using exercise_21::Found;
 using exercise_21::Moved;
 
-// You read   found.C                    C_0, m: how far the bodies were apart when the contact was detected
+// You read   found.C                    C_0, m: the distance between the bodies when the contact was detected
 //            found.n                    unit, from A to B
 //            found.arm_a, found.arm_b   m, from each centre of mass to the point
-//            a.way, a.turn              what A has moved since, m, and turned, rad; b likewise
+//            a.way, a.turn              the displacement of A since then, m, and its rotation, rad; b likewise
 
-// TODO the three functions: C_0 + J dX; what is apart may come nearer by as much; what is on its way is not to be stopped
+// TODO the three functions: C_0 + J dX; a gap may close within the substep; a body that approaches is not stopped early
 
-/// C, m: how far the bodies of this contact are apart now, to first order in what they have turned.
+/// C, m: the present distance between the bodies of this contact, to first order in their rotations.
 inline Real separation(const Found& found, const Moved& a, const Moved& b) {
   (void)a, (void)b;  // take this line out
   return found.C;
@@ -28,7 +28,7 @@ inline Real bias(Real C, Real rate, Real h) {
   return rate * C;
 }
 
-/// The same for the relaxing pass: the substep began with `bias`, then the bodies moved, and now they are apart by C.
+/// The same for the relaxing pass. The substep began with `bias`, then the bodies moved, and now their distance is C.
 inline Real relaxed_bias(Real bias, Real C, Real h) {
   (void)C, (void)h;  // take this line out
   return bias;

@@ -14,7 +14,7 @@ using namespace pushback;
 ///             strength            F, N
 /// of a row    impulse             the sum of its impulses in this step, N s: above 0 if the rod pushes, below 0 if it pulls
 ///             owner               the index of its joint in step.world.joints
-/// and set     lo, hi              the least and the largest sum, N s; without limits if you do not set them
+/// and set     lo, hi              the least and the largest sum, N s, without limits if you do not set them
 /// and change  step.world.joints   a std::vector<Joint>; the other joints keep their order
 struct Breaking : Joints {
   Real strength = 100;  // N
@@ -23,7 +23,7 @@ struct Breaking : Joints {
   void build(StepContext& step) {
     Joints::build(step);  // makes the rows
   }
-  void report(StepContext& step) {  // the end of the step: the impulses are known
+  void report(StepContext& step) {  // the end of the step, when the impulses are known
     (void)step;                     // take this line out
   }
   // TODO ends

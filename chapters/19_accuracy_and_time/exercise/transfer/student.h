@@ -15,7 +15,7 @@ using exercise_19_transfer::g;  // 9.81 m/s^2
 ///            mu      the coefficient of friction, 0 or more
 ///            t       s, 0 or more
 inline double way(double speed, double slope, double mu, double t) {
-  // TODO the closed form: up until the box stops; then friction holds it there, or it slides back
+  // TODO the closed form: up until the box stops, and then friction holds it there, or it slides back
   (void)speed, (void)slope, (void)mu, (void)t;  // take this line out
   return 0;
   // TODO ends
