@@ -202,7 +202,7 @@
     /** The picture is as high as leaves room for what changes it, and for the curve of what comes of it. */
     fit() {
       const { stage, top, deck, root } = this,
-        own = stage.element.offsetHeight;
+        own = stage.element.offsetHeight + this.legend.offsetHeight; // the legend grows while the picture keeps its size
       const rest = this.narrow
         ? top.offsetHeight - own + deck.offsetHeight
         : deck.getBoundingClientRect().bottom - root.getBoundingClientRect().top - own;
