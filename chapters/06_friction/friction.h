@@ -45,7 +45,7 @@ struct Friction : Effect {
 
  protected:
   std::size_t first_ = 0;  // of the tangent rows: two for each contact that can rub
-  std::vector<Real> mu_;   // of those contacts. rows[tangent.owner] is its normal, because the first rows are the normals
+  std::vector<Real> mu_;   // of those contacts; rows[tangent.owner] is its normal (normals come first)
 };
 
 }  // namespace pushback

@@ -14,7 +14,7 @@ namespace pushback {
 inline Equation perpendicular(const Vec3& s, const Vec3& u) {
   const Vec3 across = u.cross(s);
   const Real sine = across.norm();
-  const Vec3 k = sine > 0 ? Vec3(across / sine) : tangents_of(s).tangent1;  // parallel, so any perpendicular axis is correct
+  const Vec3 k = sine > 0 ? Vec3(across / sine) : tangents_of(s).tangent1;  // parallel: any axis across s
   return {.jacobian = Jacobian::about(k), .error = std::atan2(s.dot(u), sine)};
 }
 

@@ -59,7 +59,7 @@ void remember_contacts(World& world) {
 
 void ImpulseSums::add(const World& world) {
   Contacts all;
-  auto before = sums_.begin();  // both lists ascend: walk them side by side
+  auto before = sums_.begin();  // both lists ascend, so go through them in parallel
   for (const Contact& contact : world.contacts) {
     for (; before != sums_.end() && before->id < contact.id; ++before) all.push_back(*before);
     all.push_back(contact);

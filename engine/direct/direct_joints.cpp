@@ -4,7 +4,7 @@
 
 namespace pushback {
 
-/// Lists the joints, and guesses which rows are active. Returns whether A may differ from that of the step before.
+/// Lists the joints, and guesses which rows are active. Returns whether A may differ from the previous step.
 bool DirectJoints::guess_active_rows(StepContext& step) {
   bool soft = false;
   joint_bodies_.clear();

@@ -38,15 +38,15 @@ std::vector<int> order_of_elimination(const std::vector<JoinedBodies>& joints) {
   return {permutation.indices().data(), permutation.indices().data() + count};
 }
 
-/// Of each joint, its position in the order of elimination.
+/// For each joint, its position in the order of elimination.
 std::vector<int> positions_in(const std::vector<int>& order) {
   std::vector<int> position(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) position[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
   return position;
 }
 
-/// Of each joint, the joints that its elimination changes: its neighbours that are eliminated later, and those that the joints
-/// before it have passed on to it.
+/// For each joint, the joints that its elimination changes, which are its later neighbours, and the ones that earlier joints
+/// have passed on to it.
 std::vector<std::vector<int>> changed_by_elimination(const std::vector<JoinedBodies>& joints,
                                                      const std::vector<int>& order, const std::vector<int>& position) {
   const auto earlier = [&](int i, int j) {

@@ -15,7 +15,7 @@ void ContactSums::write_to(Contacts& contacts) const {
   Contacts sums = sums_;
   std::stable_sort(sums.begin(), sums.end(), [](const Contact& p, const Contact& q) { return p.id < q.id; });
   Contacts all;
-  auto sum = sums.begin();  // both lists ascend: walk them side by side
+  auto sum = sums.begin();  // both lists ascend, so go through them in parallel
   const auto parted = [&] {
     if (!all.empty() && all.back().id == sum->id) return void(all.back().impulse += sum->impulse);  // it had come back
     all.push_back(*sum);

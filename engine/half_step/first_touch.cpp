@@ -45,7 +45,7 @@ const Body& Flight::at(Real t) {
   return moved_;
 }
 
-/// The speed of a turn is that of a step's turn, which is not w: it goes by 2 atan(w t / 2).
+/// The speed of a rotation in a step, which is not w, because the step rotates by 2 atan(w t / 2).
 void Flight::look_along(const Vec3& n) {
   const Real speed = n.dot(begin_.velocity + time_ * linear_);
   const Quat later = turns_ ? turned_after(time_ + little_).orientation : moved_.orientation;

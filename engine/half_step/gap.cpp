@@ -33,7 +33,7 @@ Vec3 farthest(const Body& body, const Vec3& direction) {
 class Simplex {
  public:
   bool has(const Vec3& point) const { return std::find(points_.begin(), points_.begin() + count_, point) != end(); }
-  /// Leaves the corners that the nearest point needs. All four: the origin is inside.
+  /// Keeps the corners that the nearest point needs. If all four are needed, the origin is inside.
   Vec3 add(const Vec3& point) {
     points_[count_++] = point;
     nearest_ = points_[0];
@@ -72,7 +72,7 @@ class Simplex {
     const Real t = -points_[i].dot(along), whole = along.squaredNorm();
     if (t > 0 && t < whole) try_corners({i, j}, points_[i] + t / whole * along);
   }
-  /// Of three corners, or of four without this one.
+  /// For three corners, or for four without this one.
   void try_face(std::size_t out) {
     if (count_ == 3 && out > 0) return;
     const std::size_t i = count_ == 3 ? 0 : (out + 1) % 4, j = count_ == 3 ? 1 : (out + 2) % 4,

@@ -95,7 +95,7 @@ StepOutcome HalfStep::try_step(World& world, Real dt) {
 HalfStep at_impacts(Impacts impacts) {
   HalfStep solver;
   solver.impacts = impacts;
-  solver.tolerance = std::min(solver.tolerance, HeldContacts::touches / 4);  // m: an error of a joint is no gap
+  solver.tolerance = std::min(solver.tolerance, HeldContacts::touches / 4);  // m, because an error of a joint is no gap
   return solver;
 }
 

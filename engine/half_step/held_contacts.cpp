@@ -12,7 +12,7 @@ namespace {
 
 constexpr bool in_doubles = std::numeric_limits<Real>::digits > 24;
 constexpr Real level = in_doubles ? Real(1e-12) : Real(1e-6);  // m: a gap that is rounding of places, and stays
-constexpr Real creeps = in_doubles ? Real(1e-9) : Real(1e-4);  // m/s: what is slower than that sticks
+constexpr Real creeps = in_doubles ? Real(1e-9) : Real(1e-4);  // m/s; a slower contact sticks
 constexpr Real solved = in_doubles ? Real(1e-6) : Real(1e-3);  // m/s
 
 /// Along the normal and both tangents.
@@ -71,7 +71,7 @@ void HeldContacts::begin(const World& world) {
   newton_.too_large = false;
   known_.clear();
   sums_.clear();
-  auto old = world.contacts_before.begin();  // both lists ascend: walk them side by side
+  auto old = world.contacts_before.begin();  // both lists ascend, so go through them in parallel
   for (const Contact& contact : world.contacts) {
     ContactMemory& known = known_.emplace_back(ContactMemory{.id = contact.id});
     while (old != world.contacts_before.end() && old->id < contact.id) ++old;
@@ -98,7 +98,7 @@ void HeldContacts::after_detection(const World& world) {
       known_.push_back(*old);
       continue;
     }
-    known_.push_back({.id = contact.id});  // new since the step began: this is its approach
+    known_.push_back({.id = contact.id});  // new since the step began, so this is its approach speed
     known_.back().approach = separating_speed(world, contact);
   }
 }
@@ -124,7 +124,7 @@ bool HeldContacts::solve_from_nothing(World& world, Real h) {
   stage_.build_rows(world);
   touching_.clear();
   for (const StageContact& at : stage_) touching_.push_back(world.contacts[at.index]);
-  world.contacts.swap(touching_);  // chapter 17 solves those of the world
+  world.contacts.swap(touching_);  // chapter 17 solves the contacts of the world
   StepContext step{world, world.contacts, stage_.rows(), h};
   direct_.work = newton_.work;
   failure_ = direct_.try_start(step) ? "" : WarmDirectContacts::too_large_message(stage_.size());

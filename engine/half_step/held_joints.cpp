@@ -10,8 +10,8 @@ namespace pushback {
 namespace {
 
 constexpr bool fine = std::numeric_limits<Real>::digits > 24;
-constexpr Real reached = fine ? Real(1e-9) : Real(1e-5);  // m or rad: what is left to a limit is rounding
-constexpr Real brief = Real(1) / 1024;                    // s: what is asked for no step of its own, is asked for this
+constexpr Real reached = fine ? Real(1e-9) : Real(1e-5);  // m or rad; a smaller distance to a limit is rounding
+constexpr Real brief = Real(1) / 1024;                    // s: the step length for an evaluation outside a step
 
 }  // namespace
 
@@ -244,7 +244,7 @@ void HeldJoints::aim_rigid(Real h) {
     if (held_[i].kind == Kind::rigid) rows_[i].bias = equations_[i].error / h - rows_[i].speed();
 }
 
-/// What came out of a limit that it was beyond does not keep that speed: there the second impulse may be negative, not the sum.
+/// A row that was beyond its limit must not keep that speed, so its second impulse may be negative, but not the sum.
 void HeldJoints::settle(Real h) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     HeldRow& held = held_[i];

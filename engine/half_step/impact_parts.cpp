@@ -43,7 +43,7 @@ ImpactCuts::Length ImpactCuts::try_step(KickDrift& motion, World& world, const K
 std::vector<ImpactCuts::Sunk> ImpactCuts::sunk_since(const KickDrift& motion, const World& world, const Contacts& begun,
                                                      Real h) const {
   std::vector<Sunk> sunk;
-  auto old = begun.begin();  // both lists ascend: walk them side by side
+  auto old = begun.begin();  // both lists ascend, so go through them in parallel
   for (const Contact& at : world.contacts) {
     if (at.depth <= sinks || !motion.contacts.holds(at.id)) continue;
     while (old != begun.end() && pair_of(*old) < pair_of(at)) ++old;

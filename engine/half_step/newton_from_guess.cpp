@@ -18,7 +18,7 @@ constexpr double of_look = 200, of_assembly = 700, of_change = 150;
 using SixByThree = Eigen::Matrix<double, 6, 3>;
 using ThreeBySix = Eigen::Matrix<double, 3, 6>;
 
-/// J of the rows of a group, for one of its bodies; the rest is 0.
+/// J of the rows of a group, for one of its bodies. The rest is 0.
 ThreeBySix jacobian_of(const std::array<Row*, 3>& rows, int count, bool of_b) {
   ThreeBySix j = ThreeBySix::Zero();
   for (int i = 0; i < count; ++i) {
@@ -268,7 +268,7 @@ bool NewtonFromGuess::solve(World& world, double enough, double just) {
       keep(world, best_);
     }
     if (best.largest <= enough / 10 || (best.largest <= enough && fallen > well)) break;
-    if (fallen == 1) {  // f has kinks: between two of them a whole step leads on, though |f| grows
+    if (fallen == 1) {  // f has kinks, and between two of them a whole step makes progress although |f| grows
       give(world, before_);
       if (!kept) {
         if (best.largest <= just) break;

@@ -139,7 +139,7 @@ void ErrorControl::set_order(Search& search) {
   island.half_step.tolerance = std::min(island.half_step.tolerance, search.allowed / 100);
 }
 
-/// Takes the step as the last one. Returns whether that is enough: nothing has changed since its error was checked.
+/// Takes the step as the last one. Returns whether that is enough, because nothing has changed since its error was checked.
 bool ErrorControl::repeat_last(Search& search) {
   IslandWorld& island = search.island;
   set_order(search);

@@ -127,7 +127,7 @@ void IslandSolver::step_island(IslandWorld& island, const IslandStep& step) {
     if (island.held) saved.succeed(price - work, budget.most * price);
     else saved.fail(work, budget.at_once);
   }
-  if (!island.held && (!many || solver.too_large())) {  // too large: it stays so while the same bodies touch
+  if (!island.held && (!many || solver.too_large())) {  // too large, and it stays so while the same bodies touch
     const int failures = many || island.joined_and_near() ? memory.failures : 0;
     memory = {.waits = waits_after_failing << failures, .failures = std::min(failures + 1, most_failures)};
   }

@@ -18,14 +18,14 @@ bool moves(const Body& body) {
   return !body.velocity.isZero(0) || !body.angular_velocity.isZero(0);
 }
 
-/// m, from the centre of mass: no point of the shape is farther away.
+/// m, from the centre of mass. No point of the shape is farther away.
 Real reach_of(Body body) {
   body.orientation.setIdentity();
   const Bounds bounds = bounds_of(body);
   return (bounds.high - body.position).cwiseMax(body.position - bounds.low).norm();
 }
 
-/// Who is held by it cannot rest: it asks for a motion, or goes away with what it is fixed to.
+/// Whether a body held by it cannot rest, because it sets a motion, or is fixed to a moving body.
 bool moves(const Joint& joint, const World& world) {
   const auto carried_by = [&world](int i) { return !body_of(world, i).movable() && moves(body_of(world, i)); };
   return joint.driven || carried_by(joint.a) || carried_by(joint.b);
@@ -75,7 +75,7 @@ void Sleep::check(World& world) {
   joints_ = world.joints.size();
 }
 
-/// What has been done by hand, since the latest step, to those that do not take part.
+/// Finds changes by the caller, since the latest step, of bodies that do not take part.
 void Sleep::wake_changed_by_hand(World& world) {
   for (std::size_t i = 0; i < rest_.size(); ++i) {
     const Body& body = world.bodies[i];
@@ -146,7 +146,7 @@ void Sleep::find_contacts(World& world, const Margin& margin) {
   woken_.clear();
 }
 
-/// Finds the contacts. Returns whether somebody had to be woken: then they are not all there yet.
+/// Finds the contacts. Returns whether it woke a body, so that some contacts are still missing.
 bool Sleep::wake_touched(World& world, const Margin& margin) {
   if (!tree_is_current_) build_tree(world);
   std::sort(awake_.begin(), awake_.end());  // those that have just woken are last
@@ -168,7 +168,7 @@ bool Sleep::wake_touched(World& world, const Margin& margin) {
     const Body &a = world.bodies[std::size_t(first)], &b = world.bodies[std::size_t(second)];
     if (may_touch(a, b) && !joined.contain(first, second)) collide(a, b, world.contacts, margin);
   }
-  for (const int i : planes_) {  // moved like the driven ones; whom they touch is awake already
+  for (const int i : planes_) {  // moved like the driven ones; bodies that they touch are awake already
     if (moves(world.bodies[std::size_t(i)])) insert_ascending(simulated_, {i});
   }
   bool somebody = false;
@@ -183,7 +183,7 @@ bool Sleep::wake_touched(World& world, const Margin& margin) {
   return somebody;
 }
 
-/// What does not move is arranged anew only after somebody has fallen asleep or woken.
+/// The tree of still bodies is rebuilt only after a body has fallen asleep or woken.
 void Sleep::build_tree(const World& world) {
   std::vector<int> still;
   for (const Island& island : islands_) still.insert(still.end(), island.bodies.begin(), island.bodies.end());
@@ -260,7 +260,7 @@ void Sleep::end(World& world, Real dt) {
       other = i;
     }
   }
-  for (const Contact& contact : world.contacts) {  // what carries it may carry it away
+  for (const Contact& contact : world.contacts) {  // its support may carry it away
     const auto [a, b] = world.bodies_of(contact);
     if (!a.movable() && moves(a)) rest(b.index).seconds = 0;
     if (!b.movable() && moves(b)) rest(a.index).seconds = 0;
@@ -303,7 +303,7 @@ void Sleep::put_to_sleep(World& world, const std::map<int, std::vector<int>>& is
     if (island < 0) continue;
     Contacts& contacts = islands_[std::size_t(island)].contacts;
     contacts.push_back(contact);
-    contacts.back().impulse = contact.last_impulse;  // what they start from when they wake
+    contacts.back().impulse = contact.last_impulse;  // their initial impulses when they wake
   }
   std::erase_if(awake_, [this](int i) { return rest(i).island >= 0; });
   tree_is_current_ = false;

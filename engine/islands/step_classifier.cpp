@@ -119,7 +119,7 @@ void StepClassifier::read_contacts(const World& world, const Contacts& contacts,
       island.deepest = std::max(island.deepest, -gap);
       if (gap > dt * (std::max(Real(0), approach) + falls)) continue;
       ++acting;
-      // A resting contact does not arrive: its speed is rounding.
+      // A resting contact does not arrive, because its speed is rounding.
       island.impact |= approach > threshold && (gap > apart || approach > falls);
     }
     const auto [a, b] = world.bodies_of(nearest);

@@ -41,7 +41,7 @@ void StillBodies::arrange(const std::vector<Body>& bodies, std::span<int> which,
   }
   const int axis = longest_axis(bodies, which);
   const std::size_t half = which.size() / 2, lower = here + 1, upper = here + 2 * half;
-  // By index where positions are equal: then the halves are the same whatever the order within them.
+  // By index if positions are equal, so that the halves do not depend on the order within them.
   std::nth_element(which.begin(), which.begin() + std::ptrdiff_t(half), which.end(), [&bodies, axis](int i, int j) {
     const Real p = bodies[std::size_t(i)].position[axis], q = bodies[std::size_t(j)].position[axis];
     return p != q ? p < q : i < j;

@@ -12,7 +12,7 @@ namespace pushback {
 namespace {
 
 constexpr Real horizon = 1;           // s: T
-constexpr Real stiffest = Real(1e9);  // Hz: as stiff as substeps hold, 1 / (8 h)
+constexpr Real stiffest = Real(1e9);  // Hz, the largest stiffness that substeps hold, 1 / (8 h)
 constexpr int most_of_flight = 64;
 
 /// Springs as stiff as the substeps hold, while it lives.
@@ -30,7 +30,7 @@ class StiffSprings {
 
 }  // namespace
 
-/// The turn of a body that tumbles is of second order, and its corners have to be in the right place.
+/// The rotation of a tumbling body is of second order, and its corners must be in the right place.
 int ErrorControl::parts_of_flight(const Body& body, const IslandSettings& settings, Real dt) {
   if (std::isinf(settings.error) || !tumbles(body)) return 1;
   const Real reach = reach_of_core(body);
@@ -49,7 +49,7 @@ int ErrorControl::parts_of_flight(const Body& body, const IslandSettings& settin
 }
 
 /// x += h v has an error of h / 2 times the change of v (chapter 24). That and the depth of contacts are known after a step. If they are
-/// too large, the step is taken again in more substeps: the first error falls with their number, the second with its square.
+/// too large, the step is repeated with more substeps. The first error falls with their number, the second with its square.
 SolveStats ErrorControl::step_remaining(RemainingBodies& remaining, World& world, StepClassifier& classifier,
                                         Contacts& found, const SubstepPass& pass) {
   WideSolver<Real>& solver = pass.solver;

@@ -49,8 +49,7 @@ TEST_CASE("the way of a student: the file, the gap, hints, a wrong answer, the r
   const Ended wrong = student.call("04 --seed 5");
   CHECK(wrong.status == 1);
   CHECK(contains(wrong.out, "  ✓ a body that would pass through the surface in this step ends on it\n"));
-  CHECK(contains(wrong.out,
-                 "  ✗ an overlap up to the slop stays, and a deeper body comes up at β (d − slop) / h\n"));
+  CHECK(contains(wrong.out, "  ✗ an overlap up to the slop stays, and a deeper body comes up at β (d − slop) / h\n"));
   CHECK(contains(wrong.out, "  | here\n"));
   CHECK(contains(wrong.out, "Your ball, which is sinking but less deep than the slop, continues at "));
   CHECK(contains(wrong.out, slop().checks[2].hint));

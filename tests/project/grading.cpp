@@ -238,7 +238,8 @@ TEST_CASE("of a folder, files at most two folders deep are taken: no links, noth
         "linked      0 of 6  03 0/6 (not handed in)\n", "large       0 of 6  03 0/6 (not handed in)\n",
         "-rf         0 of 6  03 0/6 (not handed in)\n"})
     CHECK(contains(ended.out, line));
-  CHECK(contains(text_of(all.scratch / "out/results.json"), "is not accepted: there are 2 files 03_baumgarte.h in it."));
+  CHECK(
+      contains(text_of(all.scratch / "out/results.json"), "is not accepted: there are 2 files 03_baumgarte.h in it."));
   CHECK(contains(ended.err, "points.txt' is no folder, and no archive"));
   const Ended alone = call_program(
       GRADE_PROGRAM, (all.scratch / "points.txt").string() + " --no-sandbox --out " + (all.scratch / "none").string());

@@ -1,6 +1,6 @@
 /// What each effect costs, and what a scene saves that does without.
 ///
-/// All that is compared is timed in turn within one run; counters are medians over the rounds. On frozen contacts every
+/// All variants are timed in turn within one run, and counters are medians over the rounds. On frozen contacts every
 /// round is the same step: velocities are put back, and the same solver has run just before, so that its rows are at hand.
 #include <benchmark/benchmark.h>
 
@@ -20,7 +20,7 @@ constexpr int sweeps = 10;
 // ---- the price of each effect of the solver ----------------------------------------------------------------------------
 
 template <class E>
-constexpr double own_bytes = 0;  // per contact, beside rows
+constexpr double own_bytes = 0;  // per contact, in addition to rows
 template <>
 constexpr double own_bytes<Friction> = sizeof(Real);
 template <>
@@ -171,7 +171,7 @@ void without_joints(benchmark::State& state) {
 }
 BENCHMARK(without_joints)->Iterations(400)->Unit(benchmark::kMicrosecond);
 
-/// A chain of balls, by itself: what a row of a joint costs.
+/// The cost of a joint's row, in a chain of balls by itself.
 void rows_of_joints(benchmark::State& state) {
   World world;
   for (int i = 0; i <= 100; ++i) {

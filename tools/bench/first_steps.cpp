@@ -1,4 +1,4 @@
-/// How the first steps of many bodies grow: cubes of touching balls, which nothing has been remembered of. Counters are seconds of the
+/// How the first steps of many bodies grow, for cubes of touching balls without stored impulses. Counters are seconds of the
 /// steps, and of the first one µs in N log2 N.
 #include <benchmark/benchmark.h>
 

@@ -8,8 +8,8 @@
 namespace pushback {
 
 /// A pyramid that has come to rest, its contacts found: `base` 20 has 210 boxes and about 1,600 points. Every solve is of
-/// the same step: velocities are put back before it. (What was solved already would ask for nothing, and rows that are held
-/// at 0 do not wait for their speed.) The same solver has run just before, so that its rows are at hand.
+/// the same step, because velocities are restored before it. (A solved one would have nothing to do, and rows at the limit
+/// 0 do not wait for their speed.) The same solver has run just before, so that its rows are in the cache.
 class FrozenPyramid {
  public:
   World world;

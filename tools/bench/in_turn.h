@@ -1,4 +1,4 @@
-/// Times of several things, taken in turn: whatever else the machine does meets all of them alike.
+/// Times of several things, taken in turn, so that other load on the machine affects all of them alike.
 #pragma once
 
 #include <algorithm>

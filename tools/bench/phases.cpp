@@ -15,7 +15,7 @@ namespace {
 
 enum Phase { detection, rows, substeps_before, relaxing, end, phases };
 
-/// Of one step.
+/// The phases of one step.
 std::array<double, phases> spent{};
 
 template <class Act>

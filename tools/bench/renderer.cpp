@@ -1,4 +1,4 @@
-/// Frames per second of the renderer, with everything on; and what shadows and multisampling are of that.
+/// Frames per second of the renderer with everything on, and the share of shadows and multisampling in them.
 #include <benchmark/benchmark.h>
 
 #include "pushback/chapters/07_warm_start/full_solver.h"

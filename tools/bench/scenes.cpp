@@ -1,7 +1,7 @@
-/// What a step of each scene costs with everything and with what it needs, with one method for all of it and with each island moved as it
-/// calls for; and what sleepers cost those who are awake.
+/// The cost of a step of each scene with all effects and with the needed ones, with one method for all of it and with the step
+/// that fits each island; and the cost of sleeping bodies to awake ones.
 ///
-/// All that is compared is timed in turn within one run; counters are medians.
+/// All variants are timed in turn within one run, and counters are medians.
 #include <benchmark/benchmark.h>
 
 #include "pushback/chapters/14_joints_under_load/jointed_solver.h"
@@ -63,7 +63,7 @@ void scene(benchmark::State& state, const NamedScene& named) {
   state.counters["with sleep / everything"] = steps.mean(2) / steps.mean(0);
 }
 
-/// With chapter 22's substeps for all, and with each island its own; and how many parts of the bodies' steps were each method's.
+/// With chapter 22's substeps for all, and with each island's own step; and the share of each method in the bodies' steps.
 void islands(benchmark::State& state, const NamedScene& named) {
   Steps steps;
   double moved = 0, flying = 0, in_half_steps = 0;
@@ -123,7 +123,7 @@ void thousand(World& world, int height) {
     world.add(cube().at({Real(1.2) * Real(pile % in_a_row), Real(0.5) + Real(i % height), z}));
   }
 }
-/// Five more that slide down the aisle, and never come to rest: nothing rubs on them.
+/// Five more that slide down the aisle without friction, and never come to rest.
 void five(World& world) {
   for (int i = 0; i < 5; ++i) {
     world.add(cube().rough(0).at({Real(2.4) * Real(i), Real(0.5), 0}).moving({3, 0, 0}));
@@ -153,7 +153,7 @@ void thousand_and_five(benchmark::State& state) {
                  [&] { return seconds_of([&] { without_sleep.step(alone_without_sleep, dt, sweeps); }); }});
     asleep = std::min(asleep, asleep_in(with_thousand));
   }
-  FullSolver full;  // afterwards: else it would leave nobody anything in the cache
+  FullSolver full;  // afterwards, because it would empty the cache for the others
   std::vector<double> everything;
   for (int step = 0; step < 120; ++step) everything.push_back(seconds_of([&] { all.step(full, dt, sweeps); }));
   state.counters["asleep"] = static_cast<double>(asleep);
@@ -168,7 +168,7 @@ void thousand_and_five(benchmark::State& state) {
 }
 BENCHMARK(thousand_and_five)->ArgName("height")->Arg(1)->Arg(4)->Iterations(150)->Unit(benchmark::kMicrosecond);
 
-/// What it costs to look who could sleep, where nobody may.
+/// The cost of the search for sleepers if no body may sleep.
 void watching_for_sleepers(benchmark::State& state) {
   World simulated;
   simulated.add(ground());

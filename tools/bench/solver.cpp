@@ -1,6 +1,6 @@
-/// What a solver costs: nanoseconds per row and sweep, microseconds per step, bytes per contact.
+/// The cost of a solver: nanoseconds per row and sweep, microseconds per step, bytes per contact.
 ///
-/// The composed solver and the one written by hand are timed in turn within one run: their ratio is what counts, since
+/// The composed solver and the one written by hand are timed in turn within one run. Their ratio counts, since
 /// absolute times differ from machine to machine and from minute to minute.
 #include <benchmark/benchmark.h>
 
@@ -60,7 +60,7 @@ void composed_against_by_hand(benchmark::State& state) {
 }
 BENCHMARK(composed_against_by_hand)->Iterations(400)->Unit(benchmark::kMicrosecond);
 
-/// What one of chapter 08's ways to rub costs beside chapter 06's, on the same contacts, in turn.
+/// The cost of chapter 08's ways of friction against chapter 06's, on the same contacts, in turn.
 template <class AnyFriction>
 void friction_against_pyramid(benchmark::State& state) {
   const int sweeps = static_cast<int>(state.range(0));
@@ -88,7 +88,7 @@ BENCHMARK(pyramid_of_friction)->Apply(ten_and_hundred);
 BENCHMARK(scaled_back)->Apply(ten_and_hundred);
 BENCHMARK(friction_cone)->Apply(ten_and_hundred);
 
-/// What chapter 10's ways to undo overlap cost beside chapter 03's, on the same contacts, in turn. With a slop of 0 every
+/// The cost of chapter 10's ways to remove overlap against chapter 03's, on the same contacts, in turn. With a slop of 0 every
 /// contact is too deep, with one of 20 mm none.
 template <class PushOut>
 void against_baumgarte(benchmark::State& state) {
@@ -176,7 +176,7 @@ void near_pairs_of_cube(benchmark::State& state) {
 }
 BENCHMARK(near_pairs_of_cube)->Arg(5)->Arg(10)->Arg(20)->Arg(40)->Unit(benchmark::kMicrosecond);
 
-/// Not a time: what a contact takes in memory, in each form.
+/// Not a time, but the memory of a contact, in each form.
 void memory_per_contact(benchmark::State& state) {
   for (auto _ : state) benchmark::ClobberMemory();
   state.counters["contact, B"] = sizeof(Contact);

@@ -26,7 +26,7 @@ class TimedPool : public ThreadPool {
   }
 };
 
-/// Parts one after the other, on one thread; and what would be saved if those of a round took place at the same time, s.
+/// Parts one after the other on one thread, and the time that would be saved if the parts of a round ran at the same time, s.
 class InTurnOnOne : public Workers {
  public:
   explicit InTurnOnOne(int threads)
@@ -104,7 +104,7 @@ void shared(benchmark::State& state, const std::function<void(World&)>& fill, in
   return true;
 }();
 
-/// A round in which nobody has anything to do.
+/// A round in which no thread has anything to do.
 void empty_round(benchmark::State& state) {
   ThreadPool pool(2);
   for (auto _ : state) pool.each(2, 1, [](Part) {});

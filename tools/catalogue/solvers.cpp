@@ -28,8 +28,8 @@ NamedSolver named(const char* name, const char* what) {
             return OnlyWhatIsNeeded(world, solver, std::move(sleep));
           }};
 }
-/// With a solver for each combination of effects that a world may call for: they take long to compile. In a page nobody asks what
-/// fits, so that they would only be sent along.
+/// With a solver for each combination of effects that a world may need, which takes long to compile. A page does not select
+/// by scene, so they would only make it larger.
 template <class ContactSolver>
 NamedSolver dispatched(const char* name, const char* what) {
   NamedSolver solver = named<ContactSolver>(name, what);
@@ -43,7 +43,7 @@ NamedSolver dispatched(const char* name, const char* what) {
 
 }  // namespace
 
-// Before warm starting, joints have none either; from there on split impulses. Scenes without joints move in
+// Before warm starting, joints have none either. From there on they have split impulses. Scenes without joints move in
 // the same bits as without the effect.
 const std::vector<NamedSolver>& all_solvers() {
   static const std::vector<NamedSolver> all{

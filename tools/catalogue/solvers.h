@@ -1,4 +1,4 @@
-/// The solvers of the chapters by their names, each compiled once: what programs and tests choose from while they run. No
+/// The solvers of the chapters by their names, each compiled once, for programs and tests that choose at run time. No
 /// chapter's header includes this.
 #pragma once
 
@@ -13,13 +13,13 @@ namespace pushback {
 
 struct NamedSolver {
   std::string name;  ///< the chapter that it ends in, and a word or two: "07 warm start"
-  std::string what;  ///< in a line: what it adds to the one before it, or how it steps
-  AnySolver solver;  ///< with the settings that it has by itself, and its plan; to be copied
+  std::string what;  ///< in a line: its addition to the previous one, or its way to step
+  AnySolver solver;  ///< with its default settings and its plan; to be copied
   std::function<OnlyWhatIsNeeded(const World&, std::optional<Sleep>)>
-      fitting;  ///< of 07 and all together, what the world calls for; of others all
+      fitting;  ///< for 07 and all together, the effects that the world needs; all effects for others
 };
 
-/// In the order of the chapters, one each; behind them what came after. All but the naive one hold joints.
+/// In the order of the chapters, one each, then later additions. All but the naive one support joints.
 const std::vector<NamedSolver>& all_solvers();
 /// Throws InvalidInput, naming all there are, where none has this name.
 const NamedSolver& solver_named(const std::string& name);

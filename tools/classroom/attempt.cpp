@@ -52,7 +52,7 @@ Numbers numbers_in(std::string_view text) {
   return numbers;
 }
 
-/// What a student can make as long as he likes.
+/// Shortens text whose length a student controls.
 std::string shortened(std::string text, std::size_t most) {
   if (text.size() <= most) return text;
   while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xc0) == 0x80) --most;  // in the middle of a letter
@@ -97,7 +97,7 @@ std::size_t line_in(const std::string& message, const std::string& file) {
   return std::strtoul(message.c_str() + at + file.size() + 1, nullptr, 10);
 }
 
-/// "expected ';' before '}' token"; empty: this is no error.
+/// "expected ';' before '}' token", or empty if this is no error.
 std::string error_in(const std::string& message) {
   constexpr std::string_view error = "error: ", undefined = "undefined reference to";
   if (const std::size_t at = message.find(error); at != std::string::npos) return message.substr(at + error.size());
@@ -167,7 +167,7 @@ Attempt attempt(const Exercise& exercise, const fs::path& file, std::uint64_t se
     if (fs::exists(kit().folder / parsed)) needed.push_back(kit().folder / parsed);
   Ended ended = build(compile, needed);
   if (ended.status == 0) {
-    // Not before now: the compiler could put what is in them into the program, and they hold what is right.
+    // Not before now, because the compiler could put their contents, which include the right answers, into the program.
     Command link = kit().words_of("link.txt");
     std::vector<fs::path> libraries;
     for (const std::string& word : link)

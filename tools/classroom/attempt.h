@@ -8,8 +8,8 @@
 
 namespace pushback {
 
-/// What a process of the compiler, and the program, may use at most. Seconds are of the processor; six times as many by the clock
-/// end all of it: on a machine that compiles many students at once nobody should lose points.
+/// The most that a process of the compiler, and the program, may use. Seconds are processor time. Six times as many by the clock
+/// end all of it, so that no student loses points on a machine that compiles many at once.
 struct AttemptLimits {
   int seconds = 10;
   int megabytes = 1024;  ///< of memory

@@ -34,7 +34,7 @@ sock_filter end(std::uint32_t with) {
 sock_filter refuse(std::uint32_t error) {
   return end(SECCOMP_RET_ERRNO | error);
 }
-/// The next step is for a value that passes the test; others skip it.
+/// The next step is for a value that passes the test. Others skip it.
 sock_filter if_it(int test, std::uint32_t value) {
   return step(BPF_JMP | test | BPF_K, value, 0, 1);
 }
@@ -53,7 +53,7 @@ std::string refused_calls(bool one_process) {
 #ifdef SYS_fork
   if (one_process) others.insert(others.end(), {SYS_fork, SYS_vfork});
 #endif
-  // Calls of another kind of processor have other numbers; so have those of x32, from 2^30 on.
+  // Calls of another kind of processor have other numbers, and so do the calls of x32, from 2^30 on.
   std::vector<sock_filter> steps{
       load(offsetof(seccomp_data, arch)), step(BPF_JMP | BPF_JEQ | BPF_K, own_architecture, 1, 0),
       end(SECCOMP_RET_KILL_PROCESS),      load(offsetof(seccomp_data, nr)),

@@ -64,7 +64,7 @@ Json graded(const Grading& grading, const Exercise& exercise, const HandedIn& ha
     not_graded("nothing written", "the gap is unchanged.");
   } else {
     Exercise own = exercise;
-    if (exercise.whole()) own.folder = file->parent_path().string();  // with the headers beside it
+    if (exercise.whole()) own.folder = file->parent_path().string();  // with the headers next to it
     const Attempt outcome = attempt(own, *file, seed, sandbox, grading.limits);
     verdict = judge(exercise, seed, outcome);
     printed = outcome.printed.substr(0, 1000);
@@ -98,7 +98,7 @@ Json graded(const Grading& grading, const Exercise& exercise, const HandedIn& ha
   return made;
 }
 
-/// What a student's result follows from.
+/// A hash of everything that a student's result depends on.
 std::string fingerprint(const Grading& grading, const HandedIn& handed_in, std::uint64_t seed) {
   const AttemptLimits& limits = grading.limits;
   std::string all = fmt::format("{} {} {} {} {} {}", seed, grading.sandboxed, limits.seconds, limits.megabytes,

@@ -1,4 +1,4 @@
-/// ./course grade: many students at once, each apart from all others; a table, JUnit XML and JSON.
+/// ./course grade: grades many students at once, each apart from all others. Writes a table, JUnit XML and JSON.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace pushback {
 
-/// Points of each check as a teacher has set them, by exercise and check; where there are none, those of the check itself.
+/// A teacher's points of each check, by exercise and check. Without them, the check's own points count.
 class Points {
  public:
   Points() = default;
@@ -30,7 +30,7 @@ class Points {
 std::string points_text(const std::vector<const Exercise*>& exercises);
 
 struct Grading {
-  /// A folder or an archive for each student, named after the student; anything else is named, and left out.
+  /// A folder or an archive for each student, named after the student. Anything else is reported and left out.
   std::vector<std::filesystem::path> given;
   std::vector<const Exercise*> exercises;
   Points points;
@@ -42,8 +42,8 @@ struct Grading {
   AttemptLimits limits;
 };
 
-/// Leaves a file for each student in out/students. A student whose file is of the same answers, points and seed is not
-/// graded again. Then results.json, results.xml and the table are of all that are there.
+/// Writes a file for each student into out/students. A student whose file has the same answers, points and seed is not
+/// graded again. Then it writes results.json, results.xml and the table of all students in it.
 void grade(const Grading& grading);
 
 }  // namespace pushback

@@ -20,7 +20,7 @@ constexpr std::uintmax_t most_bytes = 1'000'000;  // of a file
 constexpr std::size_t most_headers = 50;          // next to a solver
 constexpr int deepest = 3;                        // top folder, exercises, file
 
-/// The ending of an archive; empty: it is none.
+/// The ending of an archive, or empty if it is none.
 std::string_view ending_of(const std::string& name) {
   for (const std::string_view ending : {".zip", ".tar", ".tar.gz", ".tgz", ".tar.xz", ".tar.bz2"})
     if (name.ends_with(ending) && name.size() > ending.size()) return ending;
@@ -48,7 +48,7 @@ esac || exit
 chmod -R a+rwX . && cp -R . "$2/in"
 )";
 
-/// What is wrong with the archive; empty: nothing.
+/// The problem of the archive, or empty if there is none.
 std::string unpacked(const fs::path& archive, const fs::path& to, const Sandbox* sandbox) {
   const fs::path file = fs::canonical(archive);
   Command command{"prlimit",         "--core=0", "--cpu=20", fmt::format("--fsize={}", most_bytes),
@@ -81,7 +81,7 @@ std::vector<fs::path> files_in(const fs::path& folder) {
   return all;
 }
 
-/// The file of this name, of those in the fewest folders; empty: there is none.
+/// The file of this name in the fewest folders, or empty if there is none.
 fs::path found_in(const std::vector<fs::path>& files, const std::string& wanted) {
   std::map<std::ptrdiff_t, std::vector<fs::path>> found;  // by depth
   for (const fs::path& file : files)

@@ -1,4 +1,4 @@
-/// What a student has handed in: a folder, or an archive of one.
+/// A student's submission, which is a folder or an archive of one.
 #pragma once
 
 #include <filesystem>
@@ -12,22 +12,22 @@ namespace pushback {
 /// chose could otherwise rewrite a terminal, or break a file of results.
 std::string visible(const std::string& text);
 
-/// Of the student, `visible`: that of the folder, or of the archive without its ending. Throws InvalidInput where it is neither.
+/// The student's name, `visible`, from the folder or the archive without its ending. Throws InvalidInput if it is neither.
 std::string students_name(const std::filesystem::path& given);
 
-/// 03_baumgarte.h; solver.h.
+/// 03_baumgarte.h, or solver.h.
 std::string file_of(const Exercise& exercise);
 
 class HandedIn {
  public:
   /// An archive is unpacked in the sandbox, if there is one. Throws InvalidInput if tar or unzip is missing.
   HandedIn(const std::filesystem::path& given, const std::vector<const Exercise*>& exercises, const Sandbox* sandbox);
-  /// A copy of its file, of less than 1 MB and no link, in the folder or at most two folders deeper; none if there is none. A
+  /// A copy of its file, of less than 1 MB and no link, in the folder or at most two folders deeper, or none. A
   /// whole solver's is solver.h, next to copies of the headers there.
   std::optional<std::filesystem::path> file(const Exercise& exercise) const;
   /// The names and texts of all copies.
   std::string contents() const;
-  /// Why nothing is taken, in words; empty: there is no reason.
+  /// The reason why the submission is not accepted, or empty if it is.
   const std::string& problem() const { return problem_; }
 
  private:

@@ -1,4 +1,4 @@
-/// ./course run handout: what a student gets.
+/// ./course run handout: writes a folder for students.
 #include <optional>
 
 #include "pushback/common/basics/files.h"

@@ -33,7 +33,7 @@ Off furthest(const std::vector<Quantity>& quantities, const NumbersOfScenes& rig
     for (std::size_t i = 0; i < quantities.size(); ++i)
       if (const double by = distance(quantities[i], right[scene][i], scenes[scene][i]); by > off.by)
         off = {scene, i, by};
-    if (off.by > 1) break;  // the first scene that shows something: one thing at a time
+    if (off.by > 1) break;  // the first scene with an error, because one message at a time is enough
   }
   return off;
 }

@@ -7,13 +7,13 @@
 
 namespace pushback {
 
-/// What is measured in each scene of a check.
+/// The numbers measured in each scene of a check.
 using NumbersOfScenes = std::vector<Numbers>;
 
 /// What came of running an answer.
 struct Attempt {
   std::vector<NumbersOfScenes> numbers;  ///< by check and scene, as far as it got
-  std::string problem;                   ///< in plain words, why it got no further; empty: it did
+  std::string problem;                   ///< in plain words, why it got no further, or empty if it finished
   std::string kind;     ///< of the problem: "does not compile", "time", "memory", "crash", "exception", "exit"
   std::string printed;  ///< by the answer
 };
@@ -23,18 +23,18 @@ bool passes(const std::vector<Quantity>& quantities, const Numbers& right, const
 /// Whether these are the numbers of another answer, as far as `tolerated` says of each number.
 bool are_alike(const Numbers& shown, const Numbers& other, const std::function<double(std::size_t)>& tolerated);
 
-/// What a known answer would have sent.
+/// The numbers of a known answer.
 NumbersOfScenes scenes_of(const Exercise::Played& answer, std::uint64_t seed, std::size_t check);
 
 enum class Passed { yes, no, not_reached };
 
 struct Verdict {
   std::vector<Passed> checks;
-  std::string sentence;  ///< what is wrong, with its number; empty: nothing
+  std::string sentence;  ///< the problem with its number, or empty if there is none
   /// The kind of the problem, "nothing changes" or "not a number"; empty: none of these.
   std::string mistake;
   std::vector<NumbersOfScenes> right;  ///< the numbers of each check
-  /// Its numbers are those of the file with the gap.
+  /// Whether the numbers equal those from the file with the gap.
   bool changes_nothing() const { return mistake == "nothing changes"; }
   bool passed() const {
     return !checks.empty() && std::all_of(checks.begin(), checks.end(), [](Passed one) { return one == Passed::yes; });

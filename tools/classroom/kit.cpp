@@ -9,7 +9,7 @@ namespace fs = std::filesystem;
 
 std::vector<std::string> Kit::words_of(const std::string& file) const {
   std::vector<std::string> words = lines_of(read_text_file(folder / file));
-  constexpr std::string_view mark = "@PREFIX@";  // it is not known before we are called: the folder may be moved
+  constexpr std::string_view mark = "@PREFIX@";  // replaced at run time, because the installed folder may be moved
   for (std::string& word : words)
     if (const std::size_t at = word.find(mark); at != std::string::npos) word.replace(at, mark.size(), prefix.string());
   return words;

@@ -11,10 +11,10 @@ struct Kit {
   std::filesystem::path folder;   ///< of headers.h, answer.cpp and the command lines
   std::filesystem::path headers;  ///< pushback/... is below it
   std::filesystem::path sources;  ///< chapters/03_baumgarte/exercise is below it
-  std::filesystem::path prefix;   ///< where we are installed; empty: nowhere, this is a build
+  std::filesystem::path prefix;   ///< the folder of the installation, or empty in a build
   /// A command line that is kept there, a word a line.
   std::vector<std::string> words_of(const std::string& file) const;
-  /// What a student types to call us.
+  /// The command that a student types.
   std::string call() const { return prefix.empty() ? "./course exercise" : "pushback-exercise"; }
 };
 

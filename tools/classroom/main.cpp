@@ -1,4 +1,4 @@
-/// ./course exercise: what there is to do, and how far one's own file is from right.
+/// ./course exercise: lists the exercises, and checks the reader's files.
 #include <random>
 
 #include "pushback/common/basics/files.h"
@@ -73,7 +73,7 @@ Checked checked(const Exercise& exercise, StudentFiles& files, const Asked& aske
   return {verdict.passed(), lines + fmt::format("\n  {}\n", verdict.passed() ? "Solved." : capital(verdict.sentence))};
 }
 
-/// Says the verdict on a file; true where all checks pass.
+/// Prints the verdict on a file. True if all checks pass.
 bool check(const Exercise& exercise, StudentFiles& files, const Asked& asked) {
   if (!files.begun(exercise)) {
     const fs::path file = files.file(exercise);
@@ -86,7 +86,7 @@ bool check(const Exercise& exercise, StudentFiles& files, const Asked& asked) {
   return said.passed;
 }
 
-/// The list, then what was written and was not yet solved: the verdicts come last. True where none is wrong.
+/// Prints the list, then the verdicts on files with changes that are not yet solved. True if none is wrong.
 bool check_all(const std::vector<Exercise>& all, StudentFiles& files, const Asked& asked) {
   std::string right, wrong, names;
   std::size_t count = 0, solved = 0;

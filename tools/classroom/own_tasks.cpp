@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of all that a compiled exercise is made of.
+/// A hash of everything that a compiled exercise depends on.
 std::uint64_t state_of(const fs::path& folder) {
   std::string all = read_text_file(kit().folder / "compile.txt");
   for (const std::string& library : kit().words_of("link.txt"))
@@ -47,7 +47,7 @@ void compile(const fs::path& folder, const std::string& name, const fs::path& ob
   const Command compiled =
       compiler + Command{"-fPIC", "-ffunction-sections", "-fdata-sections", "-c", source, "-o", made};
   const Command linked{compiler[0], "-shared", "-o", shared, made};
-  // A student's program links the object, and nobody is to name what is right in it.
+  // A student's program links the object, but must not be able to name the right answer in it.
   const Command hidden{"objcopy", "--wildcard", "--localize-symbol=_ZN8pushback*8exerciseEv",
                        "--localize-symbol=pushback_task", made};
   for (const Command& step : {compiled, linked, hidden}) {
@@ -69,7 +69,7 @@ Exercise loaded(const fs::path& folder) {
     throw InvalidInput(fmt::format("--tasks: a folder is named '{}': small letters, digits and _ are needed", name));
   const std::string built = folder / ".built" / fmt::format("{:016x}", state_of(folder));
   if (!fs::exists(built + ".so")) compile(folder, name, built + ".o", built + ".so");
-  void* const library = dlopen((built + ".so").c_str(), RTLD_NOW | RTLD_LOCAL);  // never closed: its code is in use
+  void* const library = dlopen((built + ".so").c_str(), RTLD_NOW | RTLD_LOCAL);  // never closed: its code is used
   if (!library) throw InvalidInput(fmt::format("--tasks: {} cannot be loaded: {}", name, dlerror()));
   Exercise made;
   reinterpret_cast<void (*)(Exercise&)>(dlsym(library, "pushback_task"))(made);

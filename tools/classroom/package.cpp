@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What is typed to check an exercise, before its name and behind it.
+/// The command that checks an exercise, before and after its name.
 struct Call {
   std::string program, in;
   std::string of(const std::string& exercise) const { return fmt::format("{} {}{}", program, exercise, in); }
@@ -24,7 +24,7 @@ struct Call {
 
 const Call installed{"pushback-exercise", ""};
 
-/// `folder` is wherever a student puts it: its name is known, the way to it is not.
+/// A student may put `folder` anywhere, so only its name is known, not its path.
 Call in_a_copy(const fs::path& folder) {
   const std::string path = fmt::format("PATH/TO/{}", fs::absolute(folder / "").parent_path().filename().string());
   return {"./course exercise", fmt::format(" --in {}", path.find(' ') == std::string::npos ? path : quoted(path))};
@@ -36,7 +36,7 @@ std::string without_links(const std::string& text) {
   return std::regex_replace(text, link, "$1");
 }
 
-/// A task as it stands beside the file with the gap.
+/// A task as a file next to the file with the gap.
 std::string handed_out(const Exercise& exercise, const Call& call) {
   static const std::regex file("`exercises/");
   std::string text = std::regex_replace(without_links(read_text_file(task_of(exercise))), file, "`");

@@ -58,7 +58,7 @@ Sandbox::Sandbox() {
 Command Sandbox::around(const Command& command, const fs::path& folder, const std::vector<fs::path>& readable,
                         Folder may_be) const {
   const bool writable = may_be == Folder::writable, are_root = geteuid() == 0;
-  // bubblewrap is the first process in there: its own environment can be read from /proc/1/environ.
+  // bubblewrap is the first process in there, and its own environment can be read from /proc/1/environ.
   const char* path = std::getenv("PATH");
   Command made{"env", "-i", fmt::format("PATH={}", path == nullptr ? "/usr/bin" : path)};
   made = made + Command{"sh", "-c", "exec bwrap --seccomp 9 \"$@\" 9<\"$0\"",

@@ -29,8 +29,8 @@ class Sandbox {
  public:
   /// Throws InvalidInput where none works here.
   Sandbox();
-  /// `writable` is for tools of ours that read what a student wrote: they write into the folder and 64 MB of /tmp, and may
-  /// start other programs. `readable` is for the student's program: it writes nowhere, and remains one process.
+  /// `writable` is for our tools that read a student's files. They write into the folder and 64 MB of /tmp, and may
+  /// start other programs. `readable` is for the student's program, which writes nowhere and remains one process.
   enum class Folder { writable, readable };
   /// `command` in the sandbox, in this folder, and with these files to read.
   Command around(const Command& command, const std::filesystem::path& folder,

@@ -5,11 +5,11 @@
 
 namespace pushback {
 
-/// Every exercise, by chapter; a transfer stands behind the rebuild of its chapter.
+/// Every exercise, by chapter. A transfer follows the rebuild of its chapter.
 std::vector<Exercise> all_exercises();
 /// 03, 15-transfer: as typed.
 std::string short_name(const Exercise& exercise);
-/// The one that a word asks for: 03, 3, baumgarte, 03_baumgarte; with -transfer or _transfer for the second one of a chapter.
+/// The exercise that a word names: 03, 3, baumgarte, 03_baumgarte; with -transfer or _transfer for the second one of a chapter.
 /// Throws InvalidInput, naming all there are.
 const Exercise& exercise_named(const std::vector<Exercise>& all, const std::string& word);
 /// Where the task and the file with the gap are.
@@ -21,7 +21,7 @@ std::filesystem::path page_of(const Exercise& exercise);
 std::string gap_of(const Exercise& exercise, const std::string& task);
 /// The number of the first line with the TODO.
 std::size_t line_of_todo(const std::string& text);
-/// FNV-1a: the same on every machine.
+/// FNV-1a, which is the same on every machine.
 std::uint64_t hash_of(const std::string& text);
 /// Whether nothing but comments and spaces has changed.
 bool untouched(const std::string& text, const std::string& stub);
@@ -35,11 +35,11 @@ class StudentFiles : public WorkFolder {
   /// Beside it, or where all tasks are.
   std::filesystem::path task(const Exercise& exercise) const;
   bool has(const Exercise& exercise) const { return std::filesystem::exists(file(exercise)); }
-  /// Its code differs from that of the file with the gap.
+  /// Whether its code differs from the file with the gap.
   bool begun(const Exercise& exercise) const;
-  /// Those of `all` that the folder has tasks or files of, where it is one with tasks (a handout); else all.
+  /// The exercises whose tasks or files are in the folder if it has tasks (a handout), otherwise all.
   std::vector<const Exercise*> listed(const std::vector<Exercise>& all) const;
-  /// The file with the gap, in the place of what may be there. Returns where that is kept; empty: nothing was there.
+  /// Writes the file with the gap. Returns where a previous file is kept, or empty if there was none.
   std::filesystem::path reset(const Exercise& exercise);
   /// With the code that it has now, comments aside.
   bool solved(const Exercise& exercise) const;

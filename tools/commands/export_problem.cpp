@@ -1,4 +1,4 @@
-/// ./course run export: the contacts of one step of a scene, as a problem in a file for ./course run solve.
+/// ./course run export: writes the contacts of one step of a scene, as a problem in a file for ./course run solve.
 #include "pushback/chapters/16_whole_problem/problem_file.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/named.h"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr Real dt = Real(1) / 60;
 
-/// `steps` steps with what the scene calls for; then the contacts of the next, as its solver would find them.
+/// Takes `steps` steps with the effects that the scene needs, then finds the contacts of the next as its solver would.
 ContactProblem problem_after(const NamedScene& scene, int steps, World& world) {
   scene.fill(world);
   OnlyWhatIsNeeded needed = solver_named("07 warm start").fitting(world, {});

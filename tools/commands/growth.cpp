@@ -1,4 +1,4 @@
-/// ./course run growth: what a direct solve costs as problems grow.
+/// ./course run growth: measures the cost of a direct solve as problems grow.
 #include <array>
 #include <chrono>
 

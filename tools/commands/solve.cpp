@@ -1,4 +1,4 @@
-/// ./course run solve: contact problems from files, by any of the methods; or a table of all.
+/// ./course run solve: solves contact problems from files by any of the methods, or makes a table of all.
 #include <chrono>
 
 #include "pushback/chapters/16_whole_problem/laws.h"
@@ -35,7 +35,7 @@ void check_place_of_solution(const Asked& asked) {
   require_writable_file(to);
 }
 
-const std::string pivoting = "pivoting";  // no column of the tables: they are of problems with friction
+const std::string pivoting = "pivoting";  // no column of the tables, because they are for problems with friction
 
 std::vector<std::string> methods_to_ask_for() {
   std::vector<std::string> names = method_names();
@@ -64,7 +64,7 @@ void print(const Asked& asked, const std::string& file, ContactProblem problem) 
   if (!asked.write.empty()) write_text_file(asked.write, solution_text(problem, found.r));
 }
 
-/// A row a method: by how much it breaks each law after `sweeps`.
+/// A row per method: by how much it breaks each law after `sweeps`.
 void print_laws(const std::string& file, const ContactProblem& problem, int sweeps) {
   for (const std::string& method : method_names()) {
     const Solution found = solve(problem, method, sweeps, counts_sweeps(method) ? 0 : 1e-13);

@@ -24,7 +24,7 @@ void Avbd::check(World& world, Real h) {
 
 void Avbd::add_contacts(World& world, Real h) {
   const Real scale = world.impulse_scale(h) / h * error_kept * penalty_kept;  // of an impulse to a force
-  auto old = world.contacts_before.begin();  // three lists ascend: walk them side by side
+  auto old = world.contacts_before.begin();  // three lists ascend, so go through them in parallel
   auto known = known_.begin();
   for (const Contact& at : world.contacts) {
     while (old != world.contacts_before.end() && old->id < at.id) ++old;

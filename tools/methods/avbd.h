@@ -23,16 +23,16 @@ namespace pushback {
 ///   C. Giles, E. Diaz, C. Yuksel, "Augmented Vertex Block Descent", ACM Transactions on Graphics 44 (4), SIGGRAPH 2025
 class Avbd : public StepSolver {
  public:
-  static constexpr Real error_kept = Real(0.95);    ///< alpha: the part of an old error that a step leaves alone
+  static constexpr Real error_kept = Real(0.95);    ///< alpha: the fraction of an old error that a step keeps
   static constexpr Real penalty_kept = Real(0.99);  ///< the part of k that the next step starts from
-  static constexpr Real least_penalty = 1;          ///< in 1 / (K h^2): it halves what a row asks of free bodies
+  static constexpr Real least_penalty = 1;          ///< in 1 / (K h^2): it halves a row's correction
   static constexpr Real most_penalty = Real(1e6);   ///< likewise
   static constexpr Real growth = 100;               ///< of k in a sweep, for each m of |C|, likewise, 1/m
   static constexpr Real margin = Real(0.01);        ///< m: contacts are detected so far ahead, and by the way of a step
 
   Plan plan(Real h) const override { return {.sweeps = 10, .margin = {.least = margin, .ahead = h}}; }
   bool supports_joints() const override { return true; }
-  /// Throws InvalidInput where a joint asks for more than C(x) = 0: a bias, softness, or bounds.
+  /// Throws InvalidInput if a joint has more than C(x) = 0, such as a bias, softness, or bounds.
   void check(World& world, Real h) override;
   void solve(World& world, Real h, int sweeps) override;
 

@@ -9,7 +9,7 @@
 
 namespace pushback {
 
-/// What a law of N rows says at a velocity u (m/s, or rad/s): its part of the cost, and two derivatives of that.
+/// The result of a law of N rows at a velocity u (m/s, or rad/s): its part of the cost, and two derivatives of that.
 template <int N>
 struct SapAnswer {
   Eigen::Matrix<double, N, 1> impulse;  ///< gamma = -dl/du, N s
@@ -86,7 +86,7 @@ struct SapBond {
 
   int a, b;
   Jacobian j_a, j_b;
-  Rows rest;  ///< m/s: of what cannot move by itself, a conveyor or a body that is moved by hand
+  Rows rest;  ///< m/s: of a body that cannot move freely, such as a conveyor or one moved by hand
   Law law;
 
   Rows u = Rows::Zero(), change = Rows::Zero();  ///< in the search: here, and for the whole of a Newton step

@@ -35,7 +35,7 @@ Equation along_the_error(const Equations& equations, bool turns) {
   return sum;
 }
 
-/// How far the body's point has moved in this step, m; that of a conveyor has moved with its belt.
+/// The displacement of the body's point in this step, m. A conveyor's point has moved with its belt.
 Vec3 way_of(const Body& body, const Vec3& now, const Vec3& from, Real h) {
   if (body.conveys) return h * body.velocity_at(now);
   return now - from;
@@ -135,7 +135,7 @@ void Xpbd::rub(Touch& at, Real h) {
   const Vec3 t = slip / length;
   at.row.place(Jacobian::along(t, a, b, (on_a + on_b) / 2));
   const Real lambda = length * at.row.effective_mass;
-  if (at.rubbed + lambda > at.friction * at.pressed) return;  // it slides: friction is left to the velocities
+  if (at.rubbed + lambda > at.friction * at.pressed) return;  // it slides, and the velocities handle friction
   shift(at.row, -lambda);
   at.rubbed += lambda;
   at.push -= lambda * t;

@@ -25,14 +25,14 @@ namespace pushback {
 ///   Dynamics", Computer Graphics Forum 39 (8), 2020; substeps: M. Macklin et al., "Small Steps in Physics Simulation", SCA 2019
 class Xpbd : public StepSolver {
  public:
-  int substeps = 1;            ///< of each step; the paper has 10 to 40 in 1/60 s, of one sweep each
-  Real threshold = Real(0.1);  ///< m/s; what arrives slower does not bounce
+  int substeps = 1;            ///< per step; the paper has 10 to 40 in 1/60 s, of one sweep each
+  Real threshold = Real(0.1);  ///< m/s; slower impacts do not bounce
   /// m: contacts are detected so far ahead, since corrections of others may close them.
   static constexpr Real margin = Real(0.01);
 
   Plan plan(Real /*dt*/) const override { return {.detections = substeps, .sweeps = 1, .margin = {.least = margin}}; }
   bool supports_joints() const override { return true; }
-  /// Throws InvalidInput where a joint asks for more than C(x) = 0: a bias, softness, or bounds.
+  /// Throws InvalidInput if a joint has more than C(x) = 0, such as a bias, softness, or bounds.
   void check(World& world, Real h) override;
   /// The order of the method: contacts are detected after the bodies have moved. (Whoever calls the functions below in the order of
   /// step.h, as one with Sleep does, has them detected before.)
@@ -43,10 +43,10 @@ class Xpbd : public StepSolver {
 
  private:
   struct Touch {
-    Row row;                                            // along the normal, or the slip: placed anew where it is used
+    Row row;                                            // along the normal, or the slip; rebuilt where it is used
     Vec3 n;                                             // the contact's normal
     SurfacePoints on;                                   // which ride on their bodies
-    Real friction, bounce;                              // mu; m/s, the separating speed that is wanted
+    Real friction, bounce;                              // mu; m/s, the target separating speed
     Vec3 from_a = Vec3::Zero(), from_b = Vec3::Zero();  // m, where those points were as the step began
     Real pressed = 0;                                   // sum of lambda_n, kg m
     Real rubbed = 0;                                    // sum of |lambda_t|, kg m

@@ -1,4 +1,4 @@
-/// Chapters 12, 21 and 22, and the solver that is recommended, beside Bullet's default (float, 10 sweeps), on the same scenes: steps of
+/// Chapters 12, 21 and 22, and the recommended solver, against Bullet's default (float, 10 sweeps), on the same scenes, in steps of
 /// 1/60 s, timed in turn within one run. Compiled again for Box3D's (float, 4 substeps) and Jolt's (float, 10 sweeps): what PEER
 /// names, by the first of its methods.
 #include <benchmark/benchmark.h>

@@ -11,7 +11,7 @@ struct Game {
   Vec3 pivot;            ///< m
   Real sweet_spot, tip;  ///< m from the pivot, along the bat
 
-  /// The ball moves along n, away from the bat, at `leaving`, m/s; towards the bat where that is negative. `aside`, m: from the axis
+  /// The ball moves along n at `leaving`, m/s, away from the bat, or towards it if that is negative. `aside`, m: from the axis
   /// through the pivot to the bat's own.
   Game(Random& random, Real leaving, Real restitution, Real swing = 0, const Vec3& aside = Vec3::Zero()) {
     world.gravity.setZero();

@@ -29,7 +29,7 @@ Ride ball(Random& random) {
   return {made, Vec3::Zero(), random.direction()};
 }
 
-/// Somewhere. The ring is beside its centre, along the bar and a little across it.
+/// A bar somewhere. The ring is off its centre, along the bar and a little across it.
 Ride bar(Random& random, bool askew) {
   const Vec3 half{random.between(Real(0.5), Real(0.8)), random.between(Real(0.2), Real(0.25)),
                   random.between(Real(0.26), Real(0.3))};

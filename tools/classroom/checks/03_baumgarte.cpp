@@ -17,7 +17,7 @@ struct Capped : Effect {
   }
 };
 
-/// A ball without weight, `depth` deep in the ground, and above it where that is negative: its speed after the step, m/s.
+/// A ball without weight, `depth` deep in the ground, or above it if that is negative. `solved`: its speed after the step, m/s.
 struct Ball {
   Real depth, h, beta, cap, asked = 0, speed = 0;
 

@@ -14,7 +14,7 @@ struct Margin : Effect {
   }
 };
 
-/// What a step has to do with, made of random numbers.
+/// Random settings of a step.
 struct Setting {
   Real h, beta, slop, gap;  // s, 1, m, m
   explicit Setting(Random& random)
@@ -28,7 +28,7 @@ struct Setting {
     static_cast<Margin&>(solver) = {{}, answer, beta, slop};
     solver.solve(world, h, sweeps);
   }
-  /// A ball without weight, so far above the ground (m) and so fast upwards (m/s): its speed after the step's solver.
+  /// A ball without weight, so far above the ground (m) and so fast upwards (m/s). Returns its speed after the step's solver.
   Real ball(Real separation, Real speed, const Answer& answer) const {
     const Vec3 centre{0, Real(0.3) + separation, 0};
     World world = on_the_ground(sphere(Real(0.3), 10).at(centre).moving({0, speed, 0}), separation);

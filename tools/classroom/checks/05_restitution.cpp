@@ -7,7 +7,7 @@ namespace {
 
 constexpr Real threshold = Real(0.1), yield = 2;  // m/s
 
-/// What the push-out has asked for.
+/// A push-out that has set a target speed.
 struct Asking : Effect {
   Real speed = 0;  // m/s
   void build(StepContext& step) {

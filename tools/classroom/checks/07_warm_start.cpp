@@ -13,7 +13,7 @@ struct Starting : Effect {
   }
 };
 
-/// Three balls on the ground, and the memory of a solver. What held them is made up: in each step that is kept another force.
+/// Three balls on the ground, and the memory of a solver. Their contact forces are invented, another one in each stored step.
 struct Balls {
   World world;
   Answer answer;
@@ -42,7 +42,7 @@ struct Balls {
   void nothing_touches(int steps, Real dt) {
     for (int step = 0; step < steps; ++step) keep({}, 0, dt);
   }
-  /// m/s, upwards, of each ball: gravity has pulled in this step, and the memory has answered.
+  /// m/s, upwards, of each ball, after gravity of this step and the memory's guess.
   Numbers started(const std::vector<ContactId>& ids, Real dt) {
     world.contacts.clear();
     for (const ContactId& id : ids) world.contacts.push_back(bearing(id, 0, dt));

@@ -5,7 +5,7 @@ namespace pushback::exercise_08 {
 
 namespace {
 
-/// A board on edge, with a skate right below its middle: friction and normal impulse do not act on each other. The blade is
+/// A board on edge, with a skate right below its middle, so friction and normal impulse do not affect each other. The blade is
 /// turned against the board by 14 to 26 degrees.
 class Board {
  public:
@@ -22,7 +22,7 @@ class Board {
     const Vec3 half{height * random.between(Real(1.2), Real(1.5)), height, height * Real(0.6)};
     world_ = on_the_ground(box(half, mass).at({0, height, 0}));
   }
-  /// It slides with this speed, m/s, at `heading` to the blade; the ground pushes with `normal` N s.
+  /// The board slides at this speed, m/s, at `heading` to the blade. The ground pushes with `normal` N s.
   void solve(Real speed, Real heading, Real normal, const Answer& answer) {
     world_.bodies[1].velocity = speed * (std::cos(heading) * blade_ + std::sin(heading) * aside_);
     const Contact& at = world_.contacts[0];

@@ -33,7 +33,7 @@ struct Railed {
     const Vec3 d = slider() - point_of(a(), rail.centre);
     return d - axis().dot(d) * axis();
   }
-  /// Of the slider, as seen from the rail: outwards, out of its plane, along it.
+  /// The slider's position seen from the rail: outwards, out of its plane, along it.
   Vec3 speeds() {
     const Vec3 v = b().velocity_at(slider()) - a().velocity_at(slider()), out = across().normalized();
     return {v.dot(out), v.dot(axis()), v.dot(axis().cross(out))};

@@ -51,7 +51,7 @@ State rubbed(Random& random, double push) {
   return {friction(random), with(random, push, between(random, 4, 6)), Three::Zero()};
 }
 
-/// It slides, and nothing rubs.
+/// A contact that slides without friction.
 State unrubbed(Random& random) {
   return {friction(random), {between(random, 5, 8), 0, 0}, with(random, 0, between(random, 0.5, 1))};
 }

@@ -11,12 +11,12 @@ namespace {
 
 using Eigen::Index;
 
-/// Of five contacts: u_0 ... u_4, the impulses of all, z. The impulses are basic.
+/// For five contacts: u_0 ... u_4, the impulses of all, z. The impulses are basic.
 struct Scene {
   Tableau tableau;
   Index entering;
 
-  /// What falls of each basic variable as `entering` grows by 1, and its value: nearly these.
+  /// The approximate decrease of each basic variable per unit of `entering`, and its value.
   Scene(Random& random, const std::array<std::array<double, 2>, 5>& falls_and_values) {
     constexpr Index n = 5;
     tableau.t.resize(n, 2 * n + 2);

@@ -37,7 +37,7 @@ struct Chain {
   World world;
   Vec3 end = Vec3::Zero();
 
-  /// `aside`, m: so far is its centre from where its pins would have it.
+  /// `aside`, m: the distance of its centre from the place that its pins give.
   void hang(Real mass, Real length, const Vec3& aside = Vec3::Zero(), const Vec3& velocity = Vec3::Zero()) {
     const Vec3 centre = end - length / 2 * Vec3::UnitY() + aside;
     const int here = world.add(sphere(length / 4, mass).at(centre).moving(velocity));

@@ -9,7 +9,7 @@ namespace pushback::exercise_23 {
 
 namespace {
 
-/// Several sets, of sizes that cannot be divided evenly; one has fewer bundles than there are threads.
+/// Several sets whose sizes cannot be divided evenly. One has fewer bundles than there are threads.
 struct Work {
   int threads;
   Sizes sizes;
@@ -29,7 +29,7 @@ std::vector<Thread> threads_of(const Answer& answer, const Work& work) {
   }
   return threads;
 }
-/// act(bundle, phase): all that is solved. In each phase the last thread comes first.
+/// Calls act(bundle, phase) for all solved bundles. In each phase the last thread comes first.
 template <class Act>
 void each_solved(const std::vector<Thread>& threads, const Act& act) {
   std::size_t phases = 0;
@@ -58,8 +58,8 @@ Real busiest(const std::vector<Thread>& threads) {
   return static_cast<Real>(std::accumulate(most.begin(), most.end(), std::size_t(0)));
 }
 
-/// Balls of 1 kg in a row, m/s. A bundle is a pair of neighbours that take on their common velocity: in sets of even number the
-/// pairs (0, 1), (2, 3) and on, in the others (1, 2), (3, 4) and on. All sets are alike in size.
+/// Balls of 1 kg in a row, m/s. A bundle is a pair of neighbours that take on their common velocity. Sets of even number have
+/// the pairs (0, 1), (2, 3) and on, and the others (1, 2), (3, 4) and on. All sets have the same size.
 void collide(std::vector<Real>& velocities, const std::vector<Thread>& threads, const Work& work) {
   each_solved(threads, [&](int bundle, std::size_t) {
     if (bundle < 0 || bundle >= work.bundles()) return;

@@ -11,7 +11,7 @@ namespace {
 
 using half_step_scenes::composed_step;
 
-/// What is said of truth + c h^p, for h = 1.
+/// The answer for truth + c h^p, with h = 1.
 Judged said_of(const Answer& answer, double truth, double c, double p) {
   return answer.judge(truth + c, truth + c * std::pow(2, -p), truth + c * std::pow(4, -p));
 }

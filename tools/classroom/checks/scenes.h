@@ -1,4 +1,4 @@
-/// What the scenes of several exercises have in common.
+/// Helpers shared by the scenes of several exercises.
 #pragma once
 
 #include "pushback/common/exercise/exercise.h"
@@ -14,7 +14,7 @@ inline int whole(Random& random, int least, int most) {
   return least + static_cast<int>(random.below(static_cast<std::size_t>(most - least + 1)));
 }
 
-/// The ground, and a body right above the origin that touches it there; `gap`, m: it is still apart, or too deep.
+/// The ground, and a body right above the origin that touches it there. `gap`, m: its distance, negative for an overlap.
 inline World on_the_ground(const Body& body, Real gap = 0) {
   World world;
   world.add(ground());

@@ -1,4 +1,4 @@
-/// What `./course mine NN` asks of a whole solver, as one exercise: the checks of this chapter and of all it grows from.
+/// The requirements of `./course mine NN` on a whole solver, as one exercise: checks of this chapter and of all it grows from.
 #pragma once
 
 #include <filesystem>

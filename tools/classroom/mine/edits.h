@@ -12,7 +12,7 @@ struct EditedLoop {
 };
 
 /// `edits`: after `== name` lines of the hint, each behind `> `, then the lines to be replaced, behind `- `, and those in
-/// their place, behind `+ `; any number of such replacements. What stands before the first name is not looked at. Throws
+/// their place, behind `+ `. Any number of such replacements may follow. Text before the first name is ignored. Throws
 /// std::runtime_error where the loop does not have the lines.
 std::vector<EditedLoop> edited_loops(const std::string& edits, const std::string& loop);
 

@@ -1,4 +1,4 @@
-/// 13 and 14: joints of one equation each, as no order of rows changes what comes of them; and a pair that mirrors itself.
+/// 13 and 14: joints of one equation each, so that the order of rows does not matter, and a pair that mirrors itself.
 #include "pushback/chapters/13_joints/distance.h"
 #include "pushback/tools/classroom/mine/scenes.h"
 #include "pushback/tools/classroom/mine/touching.h"
@@ -13,7 +13,7 @@ Real remembered_by(const Joint& joint) {
   return joint.last_impulses.empty() ? 0 : joint.last_impulses[0];
 }
 
-/// Two pairs of bodies of any shape. One equation holds a point of the one to a point of the other along n; or a turn about n.
+/// Two pairs of bodies of any shape. One equation holds a point of one to a point of the other along n, or a rotation about n.
 struct Joined : Touching {
   Vec3 momentum_before, angular_before;
   explicit Joined(Random& random) : Touching(random) {
@@ -27,7 +27,7 @@ struct Joined : Touching {
     momentum_before = momentum(world);
     angular_before = angular_momentum(world);
   }
-  /// `wanted`: what it has beside its Jacobian; its error is added to what the bodies' places say.
+  /// `wanted`: the equation without its Jacobian. Its error is added to the one of the bodies' places.
   void add_joint(int a, int b, const Vec3& along, const Equation& wanted, bool between_turns) {
     const Vec3 on_a = point_on(world.body(a), Vec3::Zero()), on_b = point_on(world.body(b), Vec3::Zero());
     world.joints.push_back(
@@ -49,7 +49,7 @@ struct Joined : Touching {
   }
 };
 
-/// A step of bodies that are joined; each number is drawn.
+/// A step of joined bodies with random numbers.
 struct Joining {
   bool open = false;  ///< there is a gap
   Range bias = {};
@@ -57,8 +57,8 @@ struct Joining {
   bool weak = false;  ///< its force has a limit
   bool between_turns = false;
   bool moves = false;      ///< the bodies move in the step, and the solver may change what it did
-  bool remembers = false;  ///< what the joint remembers is a number, too
-  bool again = false;      ///< what is measured is a second step, without a sweep
+  bool remembers = false;  ///< the joint's stored impulse is measured, too
+  bool again = false;      ///< a second step, without a sweep, is measured
 
   std::vector<Quantity> quantities() const {
     std::vector<Quantity> all;
@@ -103,7 +103,7 @@ struct Joining {
   }
 };
 
-/// A ball on a rod, from the side; both ends of the rod stay where they are, or the ball is to follow.
+/// A ball on a rod, from the side. Both ends of the rod stay in place, or the ball has to follow.
 struct Pendulum {
   std::vector<Quantity> quantities() const {
     return {{"whether your solver supports joints (1 or 0) is", "", 0.5},
@@ -123,8 +123,8 @@ struct Pendulum {
   }
 };
 
-/// A light ball between two heavy ones, held by a rod on either side, and thrown across: each rod spoils what the other has
-/// done. The picture is its own mirror image, so it does not matter which rod is solved first.
+/// A light ball between two heavy ones, held by a rod on either side and thrown across. Each rod disturbs the other.
+/// The picture is its own mirror image, so it does not matter which rod is solved first.
 struct Sling {
   Range error = {};
   bool moves = false;

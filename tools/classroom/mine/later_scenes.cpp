@@ -19,7 +19,7 @@ constexpr Range little{0.003, 0.012};     // m, of depth
 /// Whole steps of a ball over the ground.
 struct Drop {
   Range speed;         ///< m/s, downwards
-  Range gap = {};      ///< m, between both; negative: it has sunk in
+  Range gap = {};      ///< m, between both, negative if it has sunk in
   Range arrives = {};  ///< in this fraction of a step, whatever the gap
   Range bounce = {};
   int steps = 1;
@@ -53,7 +53,7 @@ struct Drop {
   }
 };
 
-/// A step of a pair: how far its bodies are from where their velocities alone have brought them, and these velocities.
+/// A step of a pair: the distance of its bodies from where only their velocities would take them, and these velocities.
 struct Corrected {
   Meeting meeting;
   std::vector<Quantity> quantities() const {
@@ -108,7 +108,7 @@ Numbers slides(Random& random, const WholeSolver& answer) {
   return {world.bodies[1].velocity.x(), world.bodies[1].angular_velocity.z(), std::hypot(along.x(), along.z())};
 }
 
-/// Two balls that graze each other in the midst of a step: their rows are somewhere else in each substep.
+/// Two balls that graze each other in the middle of a step, so their rows differ in each substep.
 Numbers graze(Random& random, const WholeSolver& answer) {
   World world;
   world.gravity.setZero();
@@ -140,7 +140,7 @@ Numbers turned_normal(Random& random, const WholeSolver& answer) {
   return {pair.world.bodies[0].velocity.norm(), pair.world.bodies[1].velocity.norm()};
 }
 
-constexpr double solved_impact = 1e-3;  // m/s: an impact is solved to a precision, which is each solver's own
+constexpr double solved_impact = 1e-3;  // m/s, because each solver has its own precision for an impact
 
 }  // namespace
 
@@ -160,7 +160,7 @@ std::vector<CheckOfChapter> checks_of_later_contacts() {
        After{{.speed = {-0.5, -0.1}, .falls = true},
              {.speed = fast, .depth = {0.005, 0.05}, .restitution = {0.3, 0.9}}}},
 
-      // One sweep: nothing of a bounce is left to a later one.
+      // One sweep, so that no later one finishes the bounce.
       {9, "a beam that lands flat has bounced flat after one sweep",
        Landing{.reach = {0.7, 0.9}, .restitution = {0.3, 0.9}, .sweeps = {1, 1}, .tolerance = solved_impact}},
       {10, "the push-out is no longer in the bias, so an overlap causes no speed",
@@ -168,7 +168,7 @@ std::vector<CheckOfChapter> checks_of_later_contacts() {
       {10, "overlapping bodies are moved by the fraction β of the remaining overlap",
        Corrected{{.speed = {-0.3, -0.1}, .depth = {0.02, 0.1}}}},
 
-      // They part by themselves, so that less is left; not so fast that nothing is.
+      // They separate by themselves, so that less remains, but slowly enough that something does.
       {10, "the correction does not close again what the bodies' own velocities close",
        Corrected{{.speed = {0.4, 0.8}, .depth = {0.05, 0.1}}}},
       {10, "no contact corrects more than 50 mm", Corrected{{.speed = {-0.3, -0.1}, .depth = {0.4, 0.8}}}},

@@ -25,7 +25,7 @@ struct Asked {
   bool hint = false, watch = false, reset = false, diff = false, no_sheet = false;
 };
 
-/// The next chapter of the trunk, from which the last chapter grows. After the trunk, the next one of a branch; null after all.
+/// The next chapter of the trunk, from which the last chapter grows. After the trunk, the next one of a branch, or null.
 const ChapterOfMine* next_of(const MyFolder& mine) {
   const std::vector<ChapterOfMine>& chapters = chapters_of_mine();
   for (const bool on_trunk : {true, false}) {
@@ -49,7 +49,7 @@ void list(const MyFolder& mine) {
   else fmt::print("all chapters are passed. ./course mine 21 --diff compares the plain loop with your file\n");
 }
 
-/// Those of earlier chapters in one line as long as they pass; of this one, a line a check.
+/// Prints the checks of earlier chapters in one line if they pass, and a line for each check of this one.
 void print_checks(const ChapterOfMine& chapter, const VerdictOfMine& made) {
   const auto line = [&](std::size_t i) {
     fmt::print("{}", line_of(made.verdict.checks[i], made.exercise.checks[i].says));
@@ -84,12 +84,12 @@ std::string sentence(const ChapterOfMine& chapter, const VerdictOfMine& made, co
                      made.sentence());
 }
 
-/// The verdict, line by line, then the picture; true where all checks pass.
+/// Prints the verdict, line by line, then draws the picture. True if all checks pass.
 bool check(const ChapterOfMine& chapter, MyFolder& mine, const Asked& asked) {
   const std::string number = two_digits(chapter.number), text = mine.text();
   fmt::print("{}: {}\n", number, chapter.title);
   const std::uint64_t seed = asked.seed != 0 ? asked.seed : std::random_device{}();
-  // The picture's library is compiled beside the verdict's program: whoever saves waits for both.
+  // The picture's library is compiled in parallel with the verdict's program, because the reader waits for both.
   const ScratchFolder scratch;
   const fs::path library = scratch.path / "solver.so";
   std::future<std::string> compiled;

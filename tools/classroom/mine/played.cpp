@@ -35,14 +35,14 @@ std::string last_line(const std::string& text) {
   return last;
 }
 
-/// The first error; what is below it often follows from it.
+/// The first error, because later ones often follow from it.
 std::string first_error(const std::string& text) {
   for (const std::string& line : lines_of(text))
     if (const std::size_t at = line.find("error: "); at != line.npos) return line.substr(at);
   return last_line(text);
 }
 
-/// The program of this name, beside ours.
+/// The program of this name, in the folder of this one.
 std::string built_program(const std::string& name) {
   const fs::path program = fs::canonical("/proc/self/exe").parent_path() / name;
   if (!fs::exists(program)) throw std::runtime_error("a program is needed that is not built: " + program.string());
@@ -83,8 +83,8 @@ std::string make_library(const std::string& text, const fs::path& folder, const 
 std::string draw_mine(int chapter, const fs::path& library, const fs::path& to, bool all_scenes) {
   const std::string name = folder_of(chapter);
   const ScratchFolder scratch;
-  // What is computed beside the scenes has no variant of the reader's, and soft shadows need more passes than the eye needs to
-  // compare.
+  // Results computed apart from the scenes have no variant of the reader's. Soft shadows need more passes than a comparison by
+  // eye does.
   Command draw{built_program(name), "--mine", library, "--out", scratch.path, "--no-study", "--passes", "4"};
   if (!all_scenes) draw.emplace_back("--first-scene");
   const Ended ended = run_program(draw, 600);

@@ -10,7 +10,7 @@ namespace pushback {
 
 enum class CompiledAs {
   exercise,  ///< quickly
-  chapter    ///< with the settings of this build: for programs that measure time
+  chapter    ///< with the settings of this build, for programs that measure time
 };
 
 /// Compiles the solver in `text` to `library`. Headers in `folder` are found by the text. Returns what went wrong, in words;
@@ -19,7 +19,7 @@ std::string make_library(const std::string& text, const std::filesystem::path& f
                          const std::filesystem::path& library, CompiledAs as);
 
 /// Fills `to` with sheet.png, plot.png and numbers.md of the chapter's program, in which the solver in `library` plays each scene,
-/// or only the first, with the sweeps and the step of the last variant. Returns what went wrong, in words; empty: nothing.
+/// or only the first, with the sweeps and the step of the last variant. Returns the problem in words, or empty.
 std::string draw_mine(int chapter, const std::filesystem::path& library, const std::filesystem::path& to,
                       bool all_scenes);
 

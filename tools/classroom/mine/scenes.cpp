@@ -29,7 +29,7 @@ MeasuredScene pile_of_any_velocities(bool deep_and_bouncy) {
   });
 }
 
-/// The same solver twice: in the second step nothing of the first is left, and the bodies touch elsewhere.
+/// The same solver twice. In the second step nothing of the first is left, and the bodies touch elsewhere.
 Numbers pile_that_comes_to_rest(Random& random, const WholeSolver& answer) {
   Pile pile(random);
   const auto solver = answer.make();
@@ -53,7 +53,7 @@ Numbers moved_by_hand(Random& random, const WholeSolver& answer) {
   return {-moved(0), moved(1)};
 }
 
-/// In one sweep: what later ones see is another matter.
+/// In one sweep, because the results of later ones differ.
 Numbers for_more_depth(Random& random, const WholeSolver& answer) {
   Pair pair = deep.pair(random), deeper = pair;
   deeper.contact().depth += Real(0.01);
@@ -80,8 +80,8 @@ Numbers many_balls(Random& random, const WholeSolver& answer) {
   return numbers;
 }
 
-/// How many boxes of a stack are no longer where they were, to a fifth of their side. Which way it falls is chaos; whether it
-/// does is not.
+/// The number of boxes of a stack that have moved by more than a fifth of their side. The direction of a fall is chaotic, but
+/// not whether it happens.
 Numbers stack_that_stands(Random& random, const WholeSolver& answer) {
   World world;
   stack(world, 4 + static_cast<int>(random.below(3)));
@@ -119,7 +119,7 @@ std::vector<CheckOfChapter> checks_of_the_trunk() {
       {2, "bodies that separate get no impulse", Meeting{.speed = {1, 3}}},
       {2, "a beam that lands flat does not bounce", Landing{.reach = {0.25, 0.4}, .sweeps = {2, 5.9}}},
 
-      // One end meets the ground hard and the other lightly, which then goes up: whatever it was pushed with is taken back.
+      // One end meets the ground hard and the other lightly. The second end then goes up, so its impulse must be reduced again.
       {2, "a later sweep reduces an impulse that was too large",
        Landing{.reach = {0.25, 0.4}, .spin = {0.8, 0.9}, .sweeps = {60, 60}}},
       {2, "a pile with any velocities", pile_of_any_velocities(false)},
@@ -154,7 +154,7 @@ std::vector<CheckOfChapter> checks_of_the_trunk() {
        {9, 10, 12}},
       {5, "a pile with any velocities, depths and bounces", pile_of_any_velocities(true), {9, 10, 12}},
 
-      // A ball's points along its surface are alike in every direction, and its normal has nothing to do with them: one sweep solves it.
+      // A ball's points along its surface are alike in every direction and independent of its normal, so one sweep solves it.
       {6, "sliding balls lose exactly μ times the normal impulse", balls_that_slide},
       {6, "balls stick if friction can hold them",
        Meeting{.speed = fast, .friction = {0.6, 0.9}, .slip = {0.1, 0.4}, .balls = true, .along_a_tangent = true}},
@@ -179,7 +179,7 @@ std::vector<CheckOfChapter> checks_of_the_trunk() {
 
 std::vector<CheckOfChapter> made() {
   std::vector<CheckOfChapter> made = checks_of_the_trunk();
-  // 21 tells its impulses in `end_detection`, once the bodies have moved: these scenes end with `solve`.
+  // 21 reports its impulses in `end_detection`, after the bodies have moved, but these scenes end with `solve`.
   for (CheckOfChapter& before : made) before.ends.push_back(21);
   for (const auto& later : {checks_of_later_contacts(), checks_of_joints(), checks_of_detected_once()})
     made.insert(made.end(), later.begin(), later.end());

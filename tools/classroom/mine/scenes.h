@@ -1,4 +1,4 @@
-/// What each chapter asks of a whole solver: scenes made of random numbers, played with a solver of which nothing else is
+/// The requirements of each chapter on a whole solver: random scenes, played with a solver of which nothing else is
 /// known.
 ///
 /// The plain loop of a later chapter does not give the numbers of an earlier one, and who writes chapter 05 has no solver of
@@ -8,7 +8,7 @@
 /// 04 leaves a part of the depth that 03 took), `ends` says with which chapter the check is over.
 ///
 /// From 08 on chapters branch: 09, 10 and 11 each begin from 08. So what a chapter keeps is not an interval, but the way back
-/// to 00 over the chapter that each begins from (`predecessor`). A check is kept where it is of a chapter on that way and no
+/// to 00 over the chapter that each begins from (`predecessor`). A check is kept if it belongs to a chapter on that way and no
 /// chapter later on it ends it.
 ///
 /// Rows may be solved in another order than here. So a scene has pairs that touch in one point and know nothing of each
@@ -42,10 +42,10 @@ struct CheckOfChapter {
   std::vector<int> ends = {};
 };
 
-/// Those of a chapter stand together, and after those of the chapters with lower numbers.
+/// The checks of a chapter are next to each other, and after those of earlier chapters.
 const std::vector<CheckOfChapter>& checks_of_chapters();
 
-/// The chapter whose solver this one begins from; of 00, -1.
+/// The chapter whose solver this one begins from, or -1 for 00.
 int predecessor(int chapter);
 
 std::vector<CheckOfChapter> checks_of_later_contacts();  ///< 09 to 12

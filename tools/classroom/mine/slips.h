@@ -1,4 +1,4 @@
-/// The known mistakes: each is a chapter's plain loop with a few lines replaced, as slips/NN.txt says. The build makes code of
+/// The known mistakes. Each is a chapter's plain loop with a few lines replaced, as in slips/NN.txt. The build makes code of
 /// them.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// Makes code of the known mistakes of a chapter: its plain loop once for each of them, in a namespace of its own.
+/// Generates code of a chapter's known mistakes, which is its plain loop once for each of them, in a separate namespace.
 #include <cstdio>
 #include <exception>
 #include <fstream>

@@ -1,4 +1,4 @@
-/// Bodies that touch where a check wants them to: what the scenes of several chapters are made of.
+/// Bodies that touch where a check needs them, for the scenes of several chapters.
 #pragma once
 
 #include <fmt/format.h>
@@ -51,7 +51,7 @@ struct Touching {
     }
     begin();
   }
-  /// With `moves` all of a substep: the bodies move in it, and the solver may change what it did.
+  /// With `moves` it is a whole substep, in which the bodies move and the solver may change its impulses.
   void solve(StepSolver& solver, int sweeps, bool moves = false) {
     solver.check(world, h);
     solver.after_detection(world, h);
@@ -78,7 +78,7 @@ struct Touching {
   }
 };
 
-/// A body that tumbles: its inertia differs from axis to axis.
+/// A body that tumbles, because its inertia differs from axis to axis.
 inline Body lump(Random& random) {
   const Real x = random.between(Real(0.3), Real(0.8)), y = random.between(Real(0.3), Real(0.8)),
              z = random.between(Real(0.3), Real(0.8));
@@ -90,7 +90,7 @@ inline Body lump(Random& random) {
 struct Pair : Touching {
   Vec3 momentum_before, angular_before;
 
-  /// Their points part at `speed`, m/s; negative: they meet.
+  /// Their points separate at `speed`, m/s, or approach if it is negative.
   Pair(Random& random, Real speed, bool spheres) : Touching(random) {
     const Vec3 point = random.vector(1), normal = random.direction();
     for (const int side : {-1, 1}) {
@@ -106,14 +106,14 @@ struct Pair : Touching {
     meet(speed);
   }
   Contact& contact() { return world.contacts[0]; }
-  /// As above; the velocities across the normal stay.
+  /// As above, but the velocities across the normal stay.
   void meet(Real speed) {
     world.bodies[1].velocity += (speed - parting(contact())) * contact().normal;
     begin();
     momentum_before = momentum(world);
     angular_before = angular_momentum(world);
   }
-  /// From now on B falls onto A, which nothing moves; gravity has sped B up in this step already.
+  /// From now on B falls onto A, which nothing moves. Gravity of this step is already in B's velocity.
   void fall(Random& random) {
     const Real speed = parting(contact());
     world.bodies[0].fixed().moving(Vec3::Zero()).spinning(Vec3::Zero());
@@ -123,7 +123,7 @@ struct Pair : Touching {
   }
 };
 
-/// One step of two bodies that touch in one point, as a check wants them to; each number is drawn.
+/// One step of two bodies that touch in one point, with random numbers.
 struct Meeting {
   Range speed;  ///< m/s, at which their points part
   Range depth = {}, restitution = {}, friction = {};
@@ -131,7 +131,7 @@ struct Meeting {
   Range rate = {50, 240};   ///< 1/s, of the steps
   Range sweeps = {1, 4.9};  ///< rounded down
   bool balls = false;
-  bool along_a_tangent = false;  ///< they slip; in any direction otherwise
+  bool along_a_tangent = false;  ///< they slip along a tangent, otherwise in any direction
   bool falls = false;            ///< upon a body that nothing moves, and gravity has acted in this step already
   bool moves = false;            ///< the bodies move in the step, and the solver may change what it did
 
@@ -315,7 +315,7 @@ struct EachPointStarts {
 /// A beam that lands on two points, as far left as right of its middle.
 struct Landing {
   Range reach;                        ///< m, of both points
-  Range spin = {}, restitution = {};  ///< spin: as a fraction of that with which one end would not fall
+  Range spin = {}, restitution = {};  ///< spin: as a fraction of the spin at which one end would not fall
   Range sweeps = {1, 4.9};
   double tolerance = exact;
   std::vector<Quantity> quantities() const {

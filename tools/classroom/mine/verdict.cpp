@@ -10,7 +10,7 @@ namespace pushback {
 
 namespace {
 
-constexpr std::size_t most_named = 3;  // mistakes that show the same: more are no hint
+constexpr std::size_t most_named = 3;  // mistakes with the same numbers; more would not help
 
 /// The mistakes that would show the numbers of the first check that fails, and fail no check that was passed. Of these, those
 /// that leave the fewest checks unexplained, and then those that explain the most; each name once.
@@ -34,7 +34,7 @@ std::vector<Slip> likely_slips(int chapter, const VerdictOfMine& made, std::uint
   std::vector<Slip> likely;
   std::pair<int, int> best;
   for (const Slip& slip : slips_in(chapter)) {
-    // Of the checks of later chapters nothing is known: their scenes have what the mistaken loop does not know.
+    // Checks of later chapters are left out, because the mistaken loop does not support their scenes.
     if (!holds(first, slip.chapter) || shown(slip, first) != std::pair(true, true)) continue;
     int explained = 0, unexplained = 0;
     bool contradicted = false;

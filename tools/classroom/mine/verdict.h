@@ -12,17 +12,17 @@ struct VerdictOfMine {
   Exercise exercise;  ///< of which these are the checks
   Attempt outcome;
   Verdict verdict;
-  std::vector<Slip> slips;  ///< the known mistakes that show these numbers; none where more than three would
-  /// What is wrong, in words, and what it looks like.
+  std::vector<Slip> slips;  ///< the known mistakes that give these numbers, or none if more than three would
+  /// The error in words, with its probable cause.
   std::string sentence() const;
-  /// The first of `exercise`'s checks that does not pass; how many there are: all do.
+  /// The first of `exercise`'s checks that does not pass, or their number if all do.
   std::size_t first_failing() const;
 };
 
-/// `text`: of the file; headers in `folder` are found beside it.
+/// `text`: the file's text. Headers in `folder` are found.
 VerdictOfMine verdict_of_mine(int chapter, const std::string& text, const std::filesystem::path& folder,
                               std::uint64_t seed);
-/// Of the numbers that a solver has sent.
+/// For the numbers that a solver has sent.
 VerdictOfMine verdict_of_numbers(int chapter, const Attempt& outcome, std::uint64_t seed);
 
 /// The mistakes that may be in a solver of this chapter: those of every chapter that it grows from, that what one of them adds is
