@@ -55,6 +55,7 @@ if(PUSHBACK_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   add_executable(fuzz_command_line fuzz/command_line.cpp)
   target_link_libraries(fuzz_command_line PRIVATE pushback)
   target_compile_options(fuzz_command_line PRIVATE -fsanitize=fuzzer)
+  set_target_properties(fuzz_command_line PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)  # which were parsed without the fuzzer
   target_link_options(fuzz_command_line PRIVATE -fsanitize=fuzzer)
   add_test(NAME "fuzz: command line, 20000 inputs" COMMAND fuzz_command_line -runs=20000 -seed=1 -timeout=10 -max_len=400 -len_control=0
     -dict=${CMAKE_CURRENT_SOURCE_DIR}/fuzz/command_line.dict)

@@ -57,7 +57,7 @@ std::string because(StepReason reason, const World& world, const StepClassifier&
   const std::string counted = fmt::format("{} contact{}", contacts, contacts == 1 ? "" : "s");
   const std::string few = fmt::format("{}, no more than {}", counted, classifier.contact_limit(island)),
                     many = fmt::format("{}, more than {}", counted, classifier.contact_limit(island));
-  const std::string failed = "half steps did not converge within the work limit, or did not keep the energy";
+  std::string failed = "half steps did not converge within the work limit, or did not keep the energy";
   switch (reason) {
     case StepReason::none:
       break;
