@@ -30,7 +30,7 @@ bool shows(const std::string& page, const std::string& source) {
   shown.insert(shown.end(), begin + 1, end);
   shown.push_back("```");
   const std::vector<std::string> lines = lines_of(text_of(fs::path(SOURCE_DIR) / page));
-  return std::ranges::search(lines, shown).begin() != lines.end();
+  return std::search(lines.begin(), lines.end(), shown.begin(), shown.end()) != lines.end();
 }
 
 }  // namespace
