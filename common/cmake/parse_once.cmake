@@ -1,11 +1,14 @@
 # Precompiled headers of other projects.
 #
 # Eigen, fmt and the standard library take half of a small file's compile time. The list below contains none of our headers, so a
-# change in ours does not parse it again. ccache has no hits with such headers unless CCACHE_SLOPPINESS makes it ignore macros.
+# change in ours does not parse it again. ccache has no hits with such headers unless CCACHE_SLOPPINESS makes it ignore macros. The
+# headers themselves need CCACHE_DEPEND: otherwise ccache takes an edit of comments for no change, and for g++ the header that it
+# parsed is then another file than the one that is there, so that `#pragma once` does not stop it from being included again.
+set(with_headers ${CMAKE_CXX_COMPILER_LAUNCHER})
+set(of_headers ${CMAKE_CXX_COMPILER_LAUNCHER})
 if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache$")
-  set(with_headers ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CMAKE_CXX_COMPILER_LAUNCHER})
-else()
-  set(with_headers ${CMAKE_CXX_COMPILER_LAUNCHER})
+  list(PREPEND with_headers ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros)
+  list(PREPEND of_headers ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros CCACHE_DEPEND=1)
 endif()
 # g++ optimizes like the precompiled headers, whatever -O is given, so targets of compile_briefly have their own headers.
 function(parse_once whose)  # parse_once(WHOSE HEADER...): makes the object libraries headers_of_WHOSE and headers_of_brief_WHOSE
@@ -13,9 +16,9 @@ function(parse_once whose)  # parse_once(WHOSE HEADER...): makes the object libr
     file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/${name}.cpp CONTENT "")
     add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/${name}.cpp)
     target_link_libraries(${name} PRIVATE pushback_settings)
-    target_precompile_headers(${name} PRIVATE <Eigen/Core> <Eigen/Geometry> <algorithm> <cmath> <filesystem> <fmt/format.h> <fmt/ranges.h>
+    target_precompile_headers(${name} PRIVATE <Eigen/Geometry> <algorithm> <cmath> <filesystem> <fmt/format.h> <fmt/ranges.h>
       <functional> <map> <memory> <optional> <set> <sstream> <string> <variant> <vector> ${ARGN})
-    set_target_properties(${name} PROPERTIES CXX_COMPILER_LAUNCHER "${with_headers}")
+    set_target_properties(${name} PROPERTIES CXX_COMPILER_LAUNCHER "${of_headers}")
   endforeach()
   compile_briefly(headers_of_brief_${whose})
 endfunction()
