@@ -96,9 +96,9 @@ std::vector<Stage> in_either(const std::vector<Stage>& all, const Table& one, co
   return found;
 }
 
-class Run {
+class TableRun {
  public:
-  Run(const Options& options, TableKind kind)
+  TableRun(const Options& options, TableKind kind)
       : options_(options), kind_(std::move(kind)), home_(fs::path(options.out) / kind_.folder) {}
 
   /// False if a stage that was entered came to no end somewhere.
@@ -228,7 +228,7 @@ int table_program(int argc, const char* const* argv, CommandLine& line, const st
       kind.giving_up.seconds = patience;
     }
     if (options.renew && !kind.whole) throw InvalidInput("--renew is for the columns of the whole table only");
-    ended = Run(options, std::move(kind))();
+    ended = TableRun(options, std::move(kind))();
   });
   return status == 0 && !ended ? 1 : status;
 }
