@@ -227,7 +227,8 @@ int table_program(int argc, const char* const* argv, CommandLine& line, const st
       require_between("--at-most", static_cast<Real>(patience), Real(0.1), 36000);  // the range lets nan pass
       kind.giving_up.seconds = patience;
     }
-    if (options.renew && !kind.whole) throw InvalidInput("--renew is for the columns of the whole table only");
+    if (options.renew && !(kind.whole && shard_of(options.shard).whole()))
+      throw InvalidInput("--renew is for columns of the whole table, and not for --shard");
     ended = TableRun(options, std::move(kind))();
   });
   return status == 0 && !ended ? 1 : status;
