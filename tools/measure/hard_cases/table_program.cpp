@@ -32,7 +32,7 @@ void print_row(const Table& table, std::size_t row) {
   for (std::size_t column = 0; column < table.stages.size(); ++column)
     marks += table.passed(row, column) ? "✓" : table.at(row, column).possible() ? "✗" : "—";
   const std::size_t last = table.stages.size() - 1;
-  const auto rescued = rescuer(table, row);
+  const auto rescued = table.chapters > 0 ? rescuer(table, row) : std::nullopt;
   fmt::print("{:<24}{}  {}: {}, {:.3f} ms a step{}\n", table.cases[row].name, marks, table.stages[last].name,
              worst_number(table, row, last), table.at(row, last).ms_per_step,
              rescued ? fmt::format("; rescued by {}", table.stages[*rescued].name) : "");
