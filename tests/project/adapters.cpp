@@ -30,17 +30,19 @@ struct Defect {
 };
 
 /// Ours, with a defect. It learns of damping, sleep and so on by the ways in which other engines have them.
-class Ours : public PlayerInSubsteps {
+class Ours : public Player {
  public:
   Ours(const Motion& motion, const Setting& setting, Defect defect)
       : h_(static_cast<Real>(setting.dt())), sweeps_(setting.sweeps), defect_(std::move(defect)) {
     motion.begin(world_);
     defect_.begins(world_);
   }
-  void substep() override {
-    world_.step(solver_, h_, sweeps_);
-    defect_.after(world_, h_);
-    if (defect_.clock) seconds_ += defect_.clock();
+  void frame(int substeps) override {
+    for (int i = 0; i < substeps; ++i) {
+      world_.step(solver_, h_, sweeps_);
+      defect_.after(world_, h_);
+      if (defect_.clock) seconds_ += defect_.clock();
+    }
   }
   Eigen::Vector3d place(std::size_t body) const override {
     return defect_.scale * world_.bodies[body].position.cast<double>();
@@ -232,7 +234,7 @@ TEST_CASE("what is no adapter is refused, with what is allowed") {
   }
   CHECK(call_program(MOTION_PROGRAM, "").status == 2);
   CHECK(contains(call_program(MOTION_PROGRAM, "").err, "PUSHBACK_ADAPTER is not set"));
-  CHECK(call_program(HARD_CASES_PROGRAM, "stack-10 --setting ours").status == 2);
+  CHECK(call_program(MOTION_PROGRAM, "--setting ours --hard-case stack-10 --out .").status == 2);
   const InEnvironment fresh("PUSHBACK_ADAPTER", TEMPLATE_PROGRAM);  // it has no joints
   CHECK(contains(call_program(MOTION_PROGRAM, "pendulum template/1").err, "'template': none plays pendulum"));
 }

@@ -245,7 +245,7 @@ course study --peers --keep && expect 0 "-DPUSHBACK_PEERS=ON" "--target study fr
 course hard-cases slop --peers -- --jobs 1
 expect 0 "-DPUSHBACK_PEERS=ON" "--target hard_cases_peers peers" "peers: slop --jobs 1" "took " && expect_not "table:"
 course hard-cases slop -- --adapter mine.mjs
-expect 0 "--target hard_cases_peers hard_cases_adapter" "peers: slop --adapter $scratch/sub/mine.mjs"
+expect 0 "--target hard_cases_peers motion_adapter" "peers: slop --adapter $scratch/sub/mine.mjs"
 
 course clean && expect 0 "git clean"
 [[ ! -e $scratch/home/build ]] || wrong "clean left build/"

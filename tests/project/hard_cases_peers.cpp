@@ -87,13 +87,13 @@ TEST_CASE("what cannot be meant, or is not built: status 2, and nothing is writt
   const Scratch scratch;
   for (const auto& [arguments, named] :
        std::vector<std::pair<std::string, std::string>>{{"stakc", "case is 'stakc'"},
-                                                        {"--settings PhysX", "setting is 'PhysX'"},
-                                                        {"--settings Bulet --renew", "setting is 'Bulet'"},
+                                                        {"--stages PhysX", "stage is 'PhysX'"},
+                                                        {"--stages Bulet --renew", "stage is 'Bulet'"},
                                                         {"--at-most nan", "--at-most"},
                                                         {"--jobs 0", "--jobs"},
                                                         {"slop --renew", "peers.csv"},
                                                         {"--redraw", "peers.csv"}}) {
-    if (arguments == "slop --renew" && !fs::exists(fs::path(PEERS_PROGRAM).parent_path() / "hard_cases_bullet"))
+    if (arguments == "slop --renew" && !fs::exists(fs::path(PEERS_PROGRAM).parent_path() / "motion_bullet"))
       continue;  // without engines that is what is said
     const Ended ended = call_program(PEERS_PROGRAM, "--out '" + (scratch / "out").string() + "' " + arguments);
     INFO(arguments << "\n" << ended.err);
@@ -103,7 +103,7 @@ TEST_CASE("what cannot be meant, or is not built: status 2, and nothing is writt
   }
   const fs::path alone = scratch / "alone";  // without any engine beside it
   fs::copy_file(PEERS_PROGRAM, alone);
-  const Ended ended = call_program(alone.string(), "slop --settings ODE --out '" + (scratch / "out").string() + "'");
+  const Ended ended = call_program(alone.string(), "slop --stages ODE --out '" + (scratch / "out").string() + "'");
   CHECK(ended.status == 2);
   CHECK(contains(ended.err, "its engine is missing"));
   CHECK_FALSE(fs::exists(scratch / "out"));
@@ -112,19 +112,19 @@ TEST_CASE("what cannot be meant, or is not built: status 2, and nothing is writt
 
 TEST_CASE("a program that plays is called by its name and with its case, and ended when the time is over") {
   const Scratch scratch;
-  const fs::path engine = scratch / "hard_cases_ode";
+  const fs::path engine = scratch / "motion_ode";
   std::ofstream(engine) << "#!/bin/sh\nsleep 20\n";
   fs::permissions(engine, fs::perms::owner_all);
   fs::copy_file(PEERS_PROGRAM, scratch / "peers");
   const Ended ended = call_program((scratch / "peers").string(),
-                                   "slop --settings ODE --at-most 0.2 --out '" + (scratch / "out").string() + "'");
+                                   "slop --stages ODE --at-most 0.2 --out '" + (scratch / "out").string() + "'");
   INFO(ended.err);
   CHECK(ended.status == 0);
   CHECK(contains(ended.out, "no end"));
   CHECK(contains(text_of(scratch / "out/hard_cases/part/peers.csv"), "no end within 0.2 s"));
   std::ofstream(engine) << "#!/bin/sh\necho \"$*\" >&2\nexit 1\n";
   const Ended called =
-      call_program((scratch / "peers").string(), "slop --settings ODE --out '" + (scratch / "out").string() + "'");
+      call_program((scratch / "peers").string(), "slop --stages ODE --out '" + (scratch / "out").string() + "'");
   CHECK(called.status == 0);
-  CHECK(contains(text_of(scratch / "out/hard_cases/part/peers.csv"), "threw: slop --setting ODE --starts 1 --out "));
+  CHECK(contains(text_of(scratch / "out/hard_cases/part/peers.csv"), "threw: --setting ODE --hard-case slop --starts 1 --out "));
 }

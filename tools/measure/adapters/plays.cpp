@@ -12,44 +12,15 @@ namespace pushback {
 
 namespace {
 
-/// A motion's 1/60 s is one question: what the question costs is in no time.
-class AskedForMotion : public Player {
+/// What is put anew, driven or pushed is handed on with the next question. So many steps are one question: a motion's 1/60 s is one.
+class AskedEngine final : public Engine {
  public:
-  AskedForMotion(const Motion& motion, const Setting& setting, const std::string& name)
-      : adapter_(the_adapter()), h_(static_cast<Real>(setting.dt())) {
-    World world;
-    motion.begin(world);
-    for (const Body& body : world.bodies) places_.push_back(body.position.cast<double>());
-    const std::string lacks = adapter_.open(name, setting.substeps, setting.sweeps, h_, world);
+  /// `dt`: the length of a substep, s; 0: it comes with each step, since a hard case changes it.
+  AskedEngine(const World& world, const std::string& setting, int substeps, int sweeps, double dt)
+      : adapter_(the_adapter()), states_(world.bodies) {
+    const std::string lacks = adapter_.open(setting, substeps, sweeps, static_cast<Real>(dt), world);
     if (!lacks.empty()) throw not_had(lacks);
-    keep(adapter_.step(0, h_));
-  }
-  void frame(int substeps) override {
-    const Adapter::Moved moved = adapter_.step(substeps, h_);
-    seconds_ += moved.seconds;
-    keep(moved);
-  }
-  Eigen::Vector3d place(std::size_t body) const override { return places_[body]; }
-  std::optional<double> seconds() const override { return seconds_; }
-
- private:
-  void keep(const Adapter::Moved& moved) {
-    for (const Body& body : moved.bodies) places_[static_cast<std::size_t>(body.index)] = body.position.cast<double>();
-  }
-
-  Adapter& adapter_;
-  Real h_;
-  Places places_;
-  double seconds_ = 0;
-};
-
-/// A world of a hard case. A body that is put anew, or driven, is handed on with the next step.
-class AskedForWorld : public Engine {
- public:
-  AskedForWorld(const World& world, const PeerSetting& setting) : adapter_(the_adapter()), states_(world.bodies) {
-    // The length of its steps comes with each of them: a hard case changes it.
-    const std::string lacks = adapter_.open(setting.name, setting.substeps, setting.sweeps, 0, world);
-    if (!lacks.empty()) throw not_had(lacks);
+    if (dt > 0) steps(0, dt);  // where it says that they are
   }
   void put(const Body& body) override {
     states_[static_cast<std::size_t>(body.index)] = body;
@@ -66,16 +37,20 @@ class AskedForWorld : public Engine {
   void push(const Body& body) override {
     if (!body.force.isZero(0) || !body.torque.isZero(0)) pushed_.push_back(body);
   }
-  void step(double h) override {
-    for (const Body& body : adapter_.step(1, static_cast<Real>(h), changed_, pushed_).bodies)
-      states_[static_cast<std::size_t>(body.index)] = body;
+  void step(double h) override { steps(1, h); }
+  void steps(int count, double h) override {
+    const Adapter::Moved moved = adapter_.step(count, static_cast<Real>(h), changed_, pushed_);
+    for (const Body& body : moved.bodies) states_[static_cast<std::size_t>(body.index)] = body;
+    seconds_ += count > 0 ? moved.seconds : 0;
     changed_.clear();
     pushed_.clear();
   }
+  std::optional<double> seconds() const override { return seconds_; }
 
  private:
   Adapter& adapter_;
   std::vector<Body> states_, changed_, pushed_;
+  double seconds_ = 0;
 };
 
 /// Whether it says so, asked for the motion in its plainest form. The question has no words for a conveyor.
@@ -90,15 +65,14 @@ bool plays(const Motion& motion, const std::string& setting) {
 
 std::vector<Method> peer_methods() {
   std::vector<Method> methods;
-  for (const PeerSetting& setting : the_adapter().settings())
-    methods.push_back(
-        {.name = setting.name,
-         .title = setting.what,
-         .plays = [name = setting.name](const Motion& motion) { return plays(motion, name); },
-         .begin = [name = setting.name](const Motion& motion, const Setting& how) -> std::unique_ptr<Player> {
-           return std::make_unique<AskedForMotion>(motion, how, name);
-         },
-         .sweeps = the_adapter().sweeps(setting.name)});
+  for (const PeerSetting& setting : the_adapter().settings()) {
+    const std::string& name = setting.name;
+    methods.push_back(method_of(name, setting.what, [name](const World& world, const Setting& how) {
+      return std::make_unique<AskedEngine>(world, name, how.substeps, how.sweeps, how.dt());
+    }));
+    methods.back().plays = [name](const Motion& motion) { return plays(motion, name); };
+    methods.back().sweeps = the_adapter().sweeps(name);
+  }
   return methods;
 }
 
@@ -115,7 +89,7 @@ std::vector<PeerSetting> settings_of_peer() {
 }
 
 std::unique_ptr<Engine> begin_engine(const World& world, const PeerSetting& setting) {
-  return std::make_unique<AskedForWorld>(world, setting);
+  return std::make_unique<AskedEngine>(world, setting.name, setting.substeps, setting.sweeps, 0);
 }
 
 }  // namespace pushback

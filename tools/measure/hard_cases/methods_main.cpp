@@ -1,10 +1,6 @@
 /// The hard cases under the methods of tools/methods: a table of its own, for docs/methods.md.
-#include <thread>
-
 #include "pushback/chapters/11_substeps/substeps.h"
-#include "pushback/common/basics/files.h"
-#include "pushback/common/experiment/program.h"
-#include "pushback/tools/measure/hard_cases/table.h"
+#include "pushback/tools/measure/hard_cases/table_program.h"
 #include "pushback/tools/measure/results/markdown.h"
 #include "pushback/tools/methods/methods.h"
 
@@ -72,32 +68,12 @@ std::string page_of(const Table& table) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CommandLine line("The hard cases under the methods of docs/methods.md.");
-  std::vector<std::string> names;
-  std::string out = "renders";
-  bool redraw = false;
-  line.option("NAME", names, "Only these cases are played; the others stay as they are in cases.csv");
-  line.option("--out", out, "The folder to write to, into methods/ in it").shows_default();
-  line.flag("--redraw", redraw, "Nothing is played: the page of what is in cases.csv");
-  return line.run(argc, argv, [&] {
-    const std::filesystem::path folder = std::filesystem::path(out) / "methods";
-    make_writable_folder(folder);
-    if (redraw)
-      return write_text_file(folder / "cases.md",
-                             page_of(read_table_csv(read_text_file(folder / "cases.csv"), compared())));
-    std::vector<HardCase> cases = hard_cases();
-    if (!names.empty()) cases.clear();
-    for (const std::string& name : names) cases.push_back(hard_case_named(name));
-    Table table =
-        play(std::move(cases), compared(), static_cast<int>(std::max(1U, std::thread::hardware_concurrency())),
-             [](const Table& so_far, std::size_t, std::size_t done) {
-               fmt::print("\r{} of {}", done, so_far.outcomes.size());
-               std::fflush(stdout);
-             });
-    if (!names.empty())
-      table = renewed(read_table_csv(read_text_file(folder / "cases.csv"), compared()), table, compared());
-    write_text_file(folder / "cases.csv", table_csv(table));
-    write_text_file(folder / "cases.md", page_of(table));
-    fmt::print("\n{}\n", page_of(table));
+  CommandLine line("The hard cases under the methods of docs/methods.md.", "hard_cases_methods");
+  return table_program(argc, argv, line, [] {
+    return TableKind{.folder = "methods",
+                     .file = "cases",
+                     .picture = "",
+                     .stages = compared(),
+                     .page = [](const Table& table, const std::filesystem::path&) { return page_of(table); }};
   });
 }

@@ -86,8 +86,6 @@ namespace {
 
 /// Of a stage that plays by its program alone.
 struct Elsewhere : StepSolver {
-  int substeps = 1, own_substeps = 1;
-  Plan plan(Real) const override { return {.detections = substeps, .substeps = own_substeps}; }
   void solve(World&, Real, int) override { throw InvalidInput("an engine plays by a program of its own"); }
 };
 
@@ -96,10 +94,8 @@ struct Elsewhere : StepSolver {
 std::vector<Stage> peer_stages(const std::filesystem::path& folder, const std::vector<PeerSetting>& settings) {
   std::vector<Stage> list;
   for (const PeerSetting& setting : settings) {
-    Elsewhere elsewhere;
-    elsewhere.substeps = setting.substeps, elsewhere.own_substeps = setting.own_substeps;
-    Stage stage{{setting.name, setting.what, elsewhere, {}}};
-    if (!folder.empty()) stage.apart = {folder / ("hard_cases_" + setting.engine), "--setting", setting.name};
+    Stage stage{{setting.name, setting.what, Elsewhere{}, {}}};
+    if (!folder.empty()) stage.apart = {folder / ("motion_" + setting.engine), "--setting", setting.name};
     stage.epsilon = setting.epsilon;
     stage.most_starts = peer_starts;
     list.push_back(std::move(stage));

@@ -11,7 +11,7 @@ namespace pushback {
 struct PeerSetting {
   std::string name;                                     ///< the column: "Bullet tuned"
   std::string what;                                     ///< in a line: what is set
-  std::string engine;                                   ///< the program hard_cases_ENGINE plays it
+  std::string engine;                                   ///< the program motion_ENGINE plays it
   bool tuned = false;                                   ///< else as it comes
   int substeps = 1;                                     ///< of each step
   int own_substeps = 1;                                 ///< of each of these, by the engine: it detects once

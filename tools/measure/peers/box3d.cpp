@@ -2,7 +2,6 @@
 #include <box3d/box3d.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "pushback/tools/measure/peers/joint_shape.h"
@@ -64,13 +63,7 @@ class Box3d : public Engine {
     const b3BodyDef still = b3DefaultBodyDef();
     last_ = static_cast<int>(bodies_.size());
     bodies_.push_back(b3CreateBody(world_, &still));
-    // A twist is about an axis that the cone has, where there is one: after it.
-    for (const bool twists : {false, true}) {
-      for (const Joint& joint : world.joints) {
-        const JointShape shape = shape_of(world, joint);
-        if ((shape.kind == JointShape::twist_limits) == twists) add(world, joint, shape);
-      }
-    }
+    for (const HeldPair& pair : held_pairs(world)) add(world, pair);
   }
 
   ~Box3d() override { b3DestroyWorld(world_); }
@@ -104,13 +97,6 @@ class Box3d : public Engine {
   void step(double h) override { b3World_Step(world_, static_cast<float>(h), substeps_); }
 
  private:
-  struct Made {
-    b3JointId id;
-    int a, b;
-    JointShape shape;            // of the joint itself, without limits
-    Vec3 axis_b = Vec3::Zero();  // of its limits; zero: it has none so far
-  };
-
   b3BodyId its(int index) const { return bodies_[static_cast<std::size_t>(index == the_world ? last_ : index)]; }
 
   void add(const Body& body) {
@@ -171,9 +157,10 @@ class Box3d : public Engine {
     }
   }
 
-  void add(const World& world, const Joint& joint, const JointShape& shape) {
+  void add(const World& world, const HeldPair& pair) {
+    const Joint& joint = *pair.joint;
+    const JointShape& shape = pair.shape;
     const bool hinge = shape.kind == JointShape::hinge;
-    if (!hinge && shape.kind != JointShape::ball_and_socket) return limit(world, joint, shape);
     const Quat axes = hinge ? Quat::FromTwoVectors(Vec3::UnitZ(), shape.axis) : Quat::Identity();
     const auto fill = [&](b3JointDef& base) {
       base.bodyIdA = its(joint.a);
@@ -186,57 +173,45 @@ class Box3d : public Engine {
     if (hinge) {
       b3RevoluteJointDef description = b3DefaultRevoluteJointDef();
       fill(description.base);
-      joints_.push_back({b3CreateRevoluteJoint(world_, &description), joint.a, joint.b, shape});
+      limit_hinge(b3CreateRevoluteJoint(world_, &description), pair);
     } else {
       b3SphericalJointDef description = b3DefaultSphericalJointDef();
       fill(description.base);
-      joints_.push_back({b3CreateSphericalJoint(world_, &description), joint.a, joint.b, shape});
+      limit_socket(b3CreateSphericalJoint(world_, &description), world, pair);
     }
   }
 
-  /// The joint of this kind that the two have.
-  Made& made_for(const Joint& joint, JointShape::Kind kind) {
-    const auto found = std::find_if(joints_.begin(), joints_.end(), [&](const Made& made) {
-      return made.a == joint.a && made.b == joint.b && made.shape.kind == kind;
-    });
-    if (found == joints_.end()) throw not_had(joint.name + " without the joint that they limit");
-    return *found;
+  static void limit_hinge(b3JointId hinge, const HeldPair& pair) {
+    if (pair.turn) {
+      const JointShape turn = turned_to(*pair.turn, pair.shape.axis);
+      b3RevoluteJoint_SetLimits(hinge, real(turn.low), real(turn.high));
+      b3RevoluteJoint_EnableLimit(hinge, true);
+    }
+    if (pair.motor) {
+      b3RevoluteJoint_SetMotorSpeed(hinge, real(turned_to(*pair.motor, pair.shape.axis).speed));
+      b3RevoluteJoint_SetMaxMotorTorque(hinge, real(pair.motor->torque));
+      b3RevoluteJoint_EnableMotor(hinge, true);
+    }
   }
 
-  /// Limits and motors are of the joint itself here. The cone is about the z axis of A's frame, the twist about that of B's.
-  void limit(const World& world, const Joint& joint, const JointShape& shape) {
-    if (shape.kind == JointShape::angle_limits) {
-      const Made& hinge = made_for(joint, JointShape::hinge);
-      const bool along = hinge.shape.axis.dot(shape.axis) > 0;
-      b3RevoluteJoint_SetLimits(hinge.id, real(along ? shape.low : -shape.high), real(along ? shape.high : -shape.low));
-      return b3RevoluteJoint_EnableLimit(hinge.id, true);
+  /// The cone is about the z axis of A's frame, the twist about that of B's.
+  static void limit_socket(b3JointId socket, const World& world, const HeldPair& pair) {
+    if (!pair.cone && !pair.turn) return;
+    const Vec3 axis_a = pair.cone ? pair.cone->axis : pair.turn->axis;
+    const Vec3 axis_b = pair.cone ? pair.cone->axis_b : pair.turn->axis;
+    const Quat on_a = Quat::FromTwoVectors(Vec3::UnitZ(), axis_a), on_b = Quat::FromTwoVectors(axis_a, axis_b) * on_a;
+    b3Joint_SetLocalFrameA(socket, frame_in(world.body(pair.joint->a), pair.shape.anchor_a, on_a));
+    b3Joint_SetLocalFrameB(socket, frame_in(world.body(pair.joint->b), pair.shape.anchor_b, on_b));
+    if (pair.cone) {
+      b3SphericalJoint_SetConeLimit(socket, real(pair.cone->high));
+      b3SphericalJoint_EnableConeLimit(socket, true);
     }
-    if (shape.kind == JointShape::motor) {
-      const Made& hinge = made_for(joint, JointShape::hinge);
-      b3RevoluteJoint_SetMotorSpeed(hinge.id, real(hinge.shape.axis.dot(shape.axis) > 0 ? shape.speed : -shape.speed));
-      b3RevoluteJoint_SetMaxMotorTorque(hinge.id, real(shape.torque));
-      return b3RevoluteJoint_EnableMotor(hinge.id, true);
-    }
-    Made& socket = made_for(joint, JointShape::ball_and_socket);
-    const bool cone = shape.kind == JointShape::cone_limit;
-    const Vec3& axis_b = cone ? shape.axis_b : shape.axis;
-    if (!socket.axis_b.isZero(0) && std::abs(socket.axis_b.dot(axis_b)) < Real(0.9999))
+    if (!pair.turn) return;
+    if (std::abs(axis_b.dot(pair.turn->axis)) < Real(0.9999))
       throw not_had("twist limits about another axis than the cone's");
-    if (cone || socket.axis_b.isZero(0)) {
-      const Quat on_a = Quat::FromTwoVectors(Vec3::UnitZ(), shape.axis);
-      const Quat on_b = Quat::FromTwoVectors(shape.axis, axis_b) * on_a;
-      b3Joint_SetLocalFrameA(socket.id, frame_in(world.body(joint.a), socket.shape.anchor_a, on_a));
-      b3Joint_SetLocalFrameB(socket.id, frame_in(world.body(joint.b), socket.shape.anchor_b, on_b));
-      socket.axis_b = axis_b;
-    }
-    if (cone) {
-      b3SphericalJoint_SetConeLimit(socket.id, real(shape.high));
-      return b3SphericalJoint_EnableConeLimit(socket.id, true);
-    }
-    const bool along = socket.axis_b.dot(shape.axis) > 0;
-    b3SphericalJoint_SetTwistLimits(socket.id, real(along ? shape.low : -shape.high),
-                                    real(along ? shape.high : -shape.low));
-    b3SphericalJoint_EnableTwistLimit(socket.id, true);
+    const JointShape twist = turned_to(*pair.turn, axis_b);
+    b3SphericalJoint_SetTwistLimits(socket, real(twist.low), real(twist.high));
+    b3SphericalJoint_EnableTwistLimit(socket, true);
   }
 
   Box3dChoice choice_;
@@ -244,7 +219,6 @@ class Box3d : public Engine {
   b3WorldId world_;
   std::vector<b3BodyId> bodies_;  // those of the world, and one that stands for the world
   int last_ = 0;
-  std::vector<Made> joints_;
 };
 
 /// `often`: substeps are steps of Box3D's, each with so many substeps of its own as there are sweeps. Else a frame is a step.

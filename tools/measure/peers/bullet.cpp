@@ -184,7 +184,7 @@ class Bullet : public Engine {
              }),
              btScalar(choice.hard_case ? 50 : 20)};
     for (const Body& body : world.bodies) add(body);
-    for (const Joint& joint : world.joints) add(world, shape_of(world, joint), joint);
+    for (const HeldPair& pair : held_pairs(world)) add(world, pair);
   }
   ~Bullet() override {
     for (const auto& joint : joints_) dynamics_->removeConstraint(joint.get());
@@ -262,79 +262,56 @@ class Bullet : public Engine {
     return its(index).getCenterOfMassTransform().inverse() * there;
   }
 
-  void add(const World& world, const JointShape& shape, const Joint& joint) {
+  void add(const World& world, const HeldPair& pair) {
+    const Joint& joint = *pair.joint;
+    const JointShape& shape = pair.shape;
     btRigidBody &a = its(joint.a), &b = its(joint.b);
+    if (shape.kind == JointShape::hinge) {
+      auto hinge = std::make_unique<btHingeConstraint>(a, b, frame_on(joint.a, shape.anchor_a, 2, shape.axis),
+                                                       frame_on(joint.b, shape.anchor_b, 2, shape.axis), true);
+      if (pair.turn) {
+        const JointShape turn = turned_to(*pair.turn, shape.axis);
+        hinge->setLimit(static_cast<btScalar>(turn.low), static_cast<btScalar>(turn.high), 1);
+      }
+      if (pair.motor) {
+        hinge->enableAngularMotor(true, static_cast<btScalar>(turned_to(*pair.motor, shape.axis).speed), 0);
+        motors_.push_back({hinge.get(), pair.motor->torque});
+      }
+      return add(std::move(hinge), joint);
+    }
     const auto local = [&](int index, const Vec3& at) {
       if (choice_.hard_case) return its(index).getCenterOfMassTransform().inverse() * bullet(at);
       const Body& body = world.body(index);
       return bullet(Vec3(body.orientation.conjugate() * (at - body.position)));
     };
-    switch (shape.kind) {
-      case JointShape::ball_and_socket:
-        if (!choice_.hard_case && joint.a == the_world)
-          return add(std::make_unique<btPoint2PointConstraint>(b, local(joint.b, shape.anchor_b)), joint);
-        return add(std::make_unique<btPoint2PointConstraint>(a, b, local(joint.a, shape.anchor_a),
-                                                             local(joint.b, shape.anchor_b)),
-                   joint);
-      case JointShape::hinge:
-        return add(std::make_unique<btHingeConstraint>(a, b, frame_on(joint.a, shape.anchor_a, 2, shape.axis),
-                                                       frame_on(joint.b, shape.anchor_b, 2, shape.axis), true),
-                   joint);
-      case JointShape::angle_limits:
-        return limit(shape, joint);
-      case JointShape::twist_limits:
-        if (std::abs(shape.low + shape.high) > Real(1e-4)) throw not_had("twist limits that are not symmetric");
-        return add_turns(shape, joint, no_limit, static_cast<btScalar>(shape.high));
-      case JointShape::cone_limit:
-        return add_turns(shape, joint, static_cast<btScalar>(shape.high), no_limit);
-      case JointShape::motor:
-        return drive(shape, joint);
-    }
+    const btVector3 on_b = local(joint.b, shape.anchor_b);
+    if (!choice_.hard_case && joint.a == the_world)
+      return add(std::make_unique<btPoint2PointConstraint>(b, on_b), joint);
+    const btVector3 on_a = local(joint.a, shape.anchor_a);
+    add(std::make_unique<btPoint2PointConstraint>(a, b, on_a, on_b), joint);
+    if (pair.cone)
+      add_turns(joint, on_a, on_b, pair.cone->axis, pair.cone->axis_b, static_cast<btScalar>(pair.cone->high),
+                no_limit);
+    if (!pair.turn) return;
+    if (std::abs(pair.turn->low + pair.turn->high) > Real(1e-4)) throw not_had("twist limits that are not symmetric");
+    add_turns(joint, on_a, on_b, pair.turn->axis, pair.turn->axis, no_limit, static_cast<btScalar>(pair.turn->high));
   }
   void add(std::unique_ptr<btTypedConstraint> made, const Joint& joint) {
     dynamics_->addConstraint(made.get(), !joint.colliding);
     joints_.push_back(std::move(made));
-    pairs_.emplace_back(joint.a, joint.b);
-  }
-  /// The joint of this kind that the two have.
-  template <class Made>
-  Made& made_for(const Joint& joint) {
-    for (std::size_t i = 0; i < joints_.size(); ++i) {
-      auto* made = dynamic_cast<Made*>(joints_[i].get());
-      if (made != nullptr && pairs_[i] == std::pair(joint.a, joint.b)) return *made;
-    }
-    throw not_had(joint.name + " without the joint that they limit");
-  }
-  bool along(const btHingeConstraint& hinge, const JointShape& shape, const Joint& joint) {
-    const btVector3 axis =
-        its(joint.a).getCenterOfMassTransform().getBasis() * hinge.getAFrame().getBasis().getColumn(2);
-    return axis.dot(bullet(shape.axis)) > 0;
-  }
-  /// Bullet bounds the impulse of a step: set in each.
-  void drive(const JointShape& shape, const Joint& joint) {
-    auto& hinge = made_for<btHingeConstraint>(joint);
-    hinge.enableAngularMotor(true, static_cast<btScalar>(along(hinge, shape, joint) ? shape.speed : -shape.speed), 0);
-    motors_.push_back({&hinge, shape.torque});
-  }
-  void limit(const JointShape& shape, const Joint& joint) {
-    auto& hinge = made_for<btHingeConstraint>(joint);
-    const bool along = this->along(hinge, shape, joint);
-    hinge.setLimit(static_cast<btScalar>(along ? shape.low : -shape.high),
-                   static_cast<btScalar>(along ? shape.high : -shape.low), 1);
   }
   /// The cone of the swing, or the twist. Bullet's joint with both holds two points on each other, too: those of the ball and socket.
-  void add_turns(const JointShape& shape, const Joint& joint, btScalar swing, btScalar twist) {
-    const auto& socket = made_for<btPoint2PointConstraint>(joint);
-    const Vec3& axis_b = shape.kind == JointShape::cone_limit ? shape.axis_b : shape.axis;
-    btTransform on_a = frame_on(joint.a, Vec3::Zero(), 0, shape.axis),
-                on_b = frame_on(joint.b, Vec3::Zero(), 0, axis_b);
-    on_a.setOrigin(socket.getPivotInA());
-    on_b.setOrigin(socket.getPivotInB());
+  void add_turns(const Joint& joint, const btVector3& at_a, const btVector3& at_b, const Vec3& axis_a,
+                 const Vec3& axis_b, btScalar swing, btScalar twist) {
+    btTransform on_a = frame_on(joint.a, Vec3::Zero(), 0, axis_a), on_b = frame_on(joint.b, Vec3::Zero(), 0, axis_b);
+    on_a.setOrigin(at_a);
+    on_b.setOrigin(at_b);
     auto made = std::make_unique<btConeTwistConstraint>(its(joint.a), its(joint.b), on_a, on_b);
     made->setLimit(swing, swing, twist, 1);
     add(std::move(made), joint);
   }
 
+  /// Bullet bounds the impulse of a step: set in each.
   struct Motor {
     btHingeConstraint* hinge;
     Real torque;  // N m
@@ -350,7 +327,6 @@ class Bullet : public Engine {
   std::vector<std::unique_ptr<btVector3>> belts_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
   std::vector<std::unique_ptr<btTypedConstraint>> joints_;
-  std::vector<std::pair<int, int>> pairs_;  // of each joint
   std::vector<Motor> motors_;
   std::optional<btDiscreteDynamicsWorld> dynamics_;
 };

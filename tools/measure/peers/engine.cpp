@@ -46,15 +46,14 @@ class PlaysMotion : public Player {
  public:
   PlaysMotion(World world, std::unique_ptr<Engine> engine, double h, bool divides)
       : world_(std::move(world)), engine_(std::move(engine)), h_(h), divides_(divides) {}
-  void frame(int substeps) override {
-    for (int i = 0; i < (divides_ ? 1 : substeps); ++i) engine_->step(h_);
-  }
+  void frame(int substeps) override { engine_->steps(divides_ ? 1 : substeps, h_); }
   Eigen::Vector3d place(std::size_t body) const override {
     Body there = world_.bodies[body];
     if (there.movable()) engine_->get(there);
     return there.position.cast<double>();
   }
   std::optional<double> row_solves() const override { return engine_->row_solves(); }
+  std::optional<double> seconds() const override { return engine_->seconds(); }
 
  private:
   World world_;  // as it was at the begin

@@ -21,8 +21,13 @@ class Engine {
   virtual void push(const Body& body) = 0;
   /// Moves on by h, s. Throws InvalidInput where the engine gives up.
   virtual void step(double h) = 0;
-  /// As of a Player.
+  /// So many steps, after which it is asked where its bodies are.
+  virtual void steps(int count, double h) {
+    for (int i = 0; i < count; ++i) step(h);
+  }
+  // As of a Player.
   virtual std::optional<double> row_solves() const { return {}; }
+  virtual std::optional<double> seconds() const { return {}; }
 };
 
 using BeginEngine = std::unique_ptr<Engine>(const World& world, const PeerSetting& setting);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "pushback/common/world/world.h"
 #include "pushback/tools/measure/peers/engine.h"
@@ -117,6 +118,35 @@ JointShape shape_of(const World& world, const Joint& joint) {
     return {.kind = JointShape::motor, .axis = axis, .speed = -turning.bias, .torque = turning.hi};
   }
   throw not_had(joint.name);
+}
+
+std::vector<HeldPair> held_pairs(const World& world, std::initializer_list<JointShape::Kind> had) {
+  std::vector<HeldPair> pairs;
+  for (const Joint& joint : world.joints) {
+    const JointShape shape = shape_of(world, joint);
+    if (std::find(had.begin(), had.end(), shape.kind) == had.end()) throw not_had(joint.name);
+    if (shape.kind == JointShape::ball_and_socket || shape.kind == JointShape::hinge) {
+      pairs.push_back({.joint = &joint, .shape = shape});
+      continue;
+    }
+    const bool of_hinge = shape.kind == JointShape::angle_limits || shape.kind == JointShape::motor;
+    const auto pair = std::find_if(pairs.begin(), pairs.end(), [&](const HeldPair& one) {
+      return one.joint->a == joint.a && one.joint->b == joint.b && (one.shape.kind == JointShape::hinge) == of_hinge;
+    });
+    if (pair == pairs.end()) throw not_had(joint.name + " without the joint that they limit");
+    (shape.kind == JointShape::cone_limit ? pair->cone
+     : shape.kind == JointShape::motor    ? pair->motor
+                                          : pair->turn) = shape;
+  }
+  return pairs;
+}
+
+JointShape turned_to(JointShape shape, const Vec3& axis) {
+  if (shape.axis.dot(axis) > 0) return shape;
+  shape.axis = -shape.axis;
+  shape.speed = -shape.speed;
+  shape.low = -std::exchange(shape.high, -shape.low);
+  return shape;
 }
 
 }  // namespace pushback

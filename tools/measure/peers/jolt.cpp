@@ -69,13 +69,6 @@ JPH::RefConst<JPH::Shape> made(const Settings& settings, const char* what) {
   return result.Get();
 }
 
-/// `axis`: the hinge's.
-void add_motor(JPH::HingeConstraint& hinge, const JointShape& motor, const Vec3& axis) {
-  hinge.GetMotorSettings().SetTorqueLimit(real(motor.torque));
-  hinge.SetTargetAngularVelocity(real(axis.dot(motor.axis) > 0 ? motor.speed : -motor.speed));
-  hinge.SetMotorState(JPH::EMotorState::Velocity);
-}
-
 /// Once in a program, before anything else of Jolt's.
 void start_jolt() {
   static const bool ready = [] {
@@ -129,24 +122,7 @@ class Jolt : public Engine {
       belts_.speeds.push_back(body.conveys ? vector(body.velocity) : JPH::Vec3::sZero());
       if (body.conveys) system_.SetContactListener(&belts_);
     }
-    std::vector<Asked> joints;
-    for (const Joint& joint : world.joints) {
-      const JointShape shape = pushback::shape_of(world, joint);
-      if (shape.kind == JointShape::ball_and_socket || shape.kind == JointShape::hinge) {
-        joints.push_back({&joint, shape, {}, {}, {}});
-        continue;
-      }
-      const bool of_hinge = shape.kind == JointShape::angle_limits || shape.kind == JointShape::motor;
-      const auto kind = of_hinge ? JointShape::hinge : JointShape::ball_and_socket;
-      const auto limited = std::find_if(joints.begin(), joints.end(), [&](const Asked& asked) {
-        return asked.joint->a == joint.a && asked.joint->b == joint.b && asked.shape.kind == kind;
-      });
-      if (limited == joints.end()) throw not_had(joint.name + " without the joint that they limit");
-      (shape.kind == JointShape::cone_limit ? limited->cone
-       : shape.kind == JointShape::motor    ? limited->motor
-                                            : limited->turn) = shape;
-    }
-    for (const Asked& asked : joints) add(asked);
+    for (const HeldPair& pair : held_pairs(world)) add(pair);
   }
 
   ~Jolt() override {
@@ -191,13 +167,6 @@ class Jolt : public Engine {
   }
 
  private:
-  /// A joint with its limits and its motor: each is a single constraint of Jolt's.
-  struct Asked {
-    const Joint* joint;
-    JointShape shape;
-    std::optional<JointShape> turn, cone, motor;  // angle or twist limits, a cone, and what drives a hinge
-  };
-
   JPH::Body& its(int index) const {
     return index == the_world ? JPH::Body::sFixedToWorld : *bodies_[static_cast<std::size_t>(index)];
   }
@@ -251,7 +220,8 @@ class Jolt : public Engine {
     bodies_.push_back(made);
   }
 
-  void add(const Asked& asked) {
+  /// A joint with its limits and its motor is a single constraint of Jolt's.
+  void add(const HeldPair& asked) {
     const Joint& joint = *asked.joint;
     if (joint.a != the_world && joint.b != the_world && !joint.colliding)
       unjoined_->DisableCollision(static_cast<JPH::CollisionGroup::SubGroupID>(joint.a),
@@ -270,7 +240,12 @@ class Jolt : public Engine {
         settings.mLimitsMax = std::min(real(asked.turn->high), JPH::JPH_PI);
       }
       const JPH::Ref<JPH::TwoBodyConstraint> made = settings.Create(a, b);
-      if (asked.motor) add_motor(static_cast<JPH::HingeConstraint&>(*made), *asked.motor, axis);
+      if (asked.motor) {
+        auto& hinge = static_cast<JPH::HingeConstraint&>(*made);
+        hinge.GetMotorSettings().SetTorqueLimit(real(asked.motor->torque));
+        hinge.SetTargetAngularVelocity(real(turned_to(*asked.motor, axis).speed));
+        hinge.SetMotorState(JPH::EMotorState::Velocity);
+      }
       system_.AddConstraint(made);
     } else if (asked.cone || asked.turn) {
       add_socket_with_limits(asked);
@@ -283,7 +258,7 @@ class Jolt : public Engine {
   }
 
   /// The twist is about the axis of the cone, where there is one.
-  void add_socket_with_limits(const Asked& asked) {
+  void add_socket_with_limits(const HeldPair& asked) {
     const Vec3 axis_a = asked.cone ? asked.cone->axis : asked.turn->axis;
     const Vec3 axis_b = asked.cone ? asked.cone->axis_b : asked.turn->axis;
     const Vec3 across = axis_a.unitOrthogonal();
@@ -298,10 +273,11 @@ class Jolt : public Engine {
     settings.mTwistMinAngle = -JPH::JPH_PI;
     settings.mTwistMaxAngle = JPH::JPH_PI;
     if (asked.turn) {
-      const Real along = axis_b.dot(asked.turn->axis);
-      if (std::abs(along) < Real(0.9999)) throw not_had("twist limits about another axis than the cone's");
-      settings.mTwistMinAngle = real(along > 0 ? asked.turn->low : -asked.turn->high);
-      settings.mTwistMaxAngle = real(along > 0 ? asked.turn->high : -asked.turn->low);
+      if (std::abs(axis_b.dot(asked.turn->axis)) < Real(0.9999))
+        throw not_had("twist limits about another axis than the cone's");
+      const JointShape twist = turned_to(*asked.turn, axis_b);
+      settings.mTwistMinAngle = real(twist.low);
+      settings.mTwistMaxAngle = real(twist.high);
     }
     system_.AddConstraint(settings.Create(its(asked.joint->a), its(asked.joint->b)));
   }

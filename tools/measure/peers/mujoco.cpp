@@ -71,22 +71,13 @@ const char* lost_by(const mjData& data) {
   return nullptr;
 }
 
-/// A joint of the world, as read.
-struct Held {
-  JointShape shape;
-  int a, b;
-};
-
 /// A world as MJCF. Bodies are called b0, b1 ... by their index. What hangs on another body by a joint is its child in a tree, held
 /// by coordinates; a joint that closes a loop is an equality.
 class Mjcf {
  public:
   Mjcf(const World& world, const MujocoChoice& choice) : world_(world), of_motion_(choice.of_motion) {
-    for (const Joint& joint : world.joints) {
-      const JointShape shape = shape_of(world, joint);
-      if (shape.kind != JointShape::ball_and_socket && shape.kind != JointShape::hinge) throw not_had(joint.name);
-      (choice.trees && hang(joint.a, joint.b) ? parents_ : loops_).push_back({shape, joint.a, joint.b});
-    }
+    for (const HeldPair& pair : held_pairs(world, {JointShape::ball_and_socket, JointShape::hinge}))
+      (choice.trees && hang(pair.joint->a, pair.joint->b) ? parents_ : loops_).push_back(pair);
     long moving = 0;
     for (const Body& body : world.bodies) moving += body.movable() ? 1 : 0;
     const long contacts = most_contacts(moving);
@@ -98,7 +89,7 @@ class Mjcf {
     for (const Body& body : world.bodies) asset(body);
     text_ += "<worldbody>";
     for (const Body& body : world.bodies)
-      if (held_by(body.index) == nullptr || held_by(body.index)->a == the_world)
+      if (held_by(body.index) == nullptr || held_by(body.index)->joint->a == the_world)
         add(body, Vec3::Zero(), Quat::Identity());
     text_ += "</worldbody>";
     close_loops();
@@ -119,13 +110,13 @@ class Mjcf {
   /// Whether b, which moves and hangs on nothing yet, is from now on a child of a.
   bool hang(int a, int b) {
     if (b == the_world || !world_.body(b).movable() || held_by(b) != nullptr) return false;
-    for (const Held* above = held_by(a); above != nullptr; above = held_by(above->a))
-      if (above->a == b) return false;
+    for (const HeldPair* above = held_by(a); above != nullptr; above = held_by(above->joint->a))
+      if (above->joint->a == b) return false;
     return a == the_world || a != b;
   }
-  const Held* held_by(int index) const {
-    for (const Held& held : parents_)
-      if (held.b == index) return &held;
+  const HeldPair* held_by(int index) const {
+    for (const HeldPair& held : parents_)
+      if (held.joint->b == index) return &held;
     return nullptr;
   }
 
@@ -169,7 +160,7 @@ class Mjcf {
                          text(Vec3(turn.conjugate() * (body.position - from))),
                          text(Quat(turn.conjugate() * body.orientation)), is_driven(body) ? "mocap='true'" : "");
     if (body.movable()) {
-      const Held* held = held_by(body.index);
+      const HeldPair* held = held_by(body.index);
       const auto local = [&](const Vec3& v) { return text(Vec3(body.orientation.conjugate() * v)); };
       if (held == nullptr) text_ += "<freejoint/>";
       else
@@ -181,8 +172,8 @@ class Mjcf {
                            text(Vec3(body.principal_inverse_inertia.cwiseInverse())));
     }
     text_ += fmt::format("<geom name='g{}' {} {}/>", body.index, geom_of(body), rubbing(body.friction));
-    for (const Held& held : parents_)
-      if (held.a == body.index) add(world_.body(held.b), body.position, body.orientation);
+    for (const HeldPair& held : parents_)
+      if (held.joint->a == body.index) add(world_.body(held.joint->b), body.position, body.orientation);
     text_ += "</body>";
   }
 
@@ -190,10 +181,11 @@ class Mjcf {
   void close_loops() {
     if (loops_.empty()) return;
     text_ += "<equality>";
-    for (const Held& held : loops_) {
+    for (const HeldPair& held : loops_) {
       const bool hinge = held.shape.kind == JointShape::hinge;
-      const int of = held.a == the_world ? held.b : held.a, to = held.a == the_world ? the_world : held.b;
-      const Vec3& anchor = held.a == the_world ? held.shape.anchor_b : held.shape.anchor_a;
+      const int of = held.joint->a == the_world ? held.joint->b : held.joint->a,
+                to = held.joint->a == the_world ? the_world : held.joint->b;
+      const Vec3& anchor = held.joint->a == the_world ? held.shape.anchor_b : held.shape.anchor_a;
       const Body& body = world_.body(of);
       for (const Real along : {Real(-0.5), Real(0.5)}) {
         if (!hinge && along > 0) continue;
@@ -230,7 +222,7 @@ class Mjcf {
 
   const World& world_;
   bool of_motion_;
-  std::vector<Held> parents_, loops_;
+  std::vector<HeldPair> parents_, loops_;
   std::string text_;
 };
 

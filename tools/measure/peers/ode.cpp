@@ -123,7 +123,9 @@ class Ode : public Engine {
       dWorldSetContactSurfaceLayer(world_, 5e-4);
     }
     for (const Body& body : world.bodies) add(body);
-    for (const Joint& joint : world.joints) add(shape_of(world, joint), joint);
+    for (const HeldPair& pair : held_pairs(
+             world, {JointShape::ball_and_socket, JointShape::hinge, JointShape::angle_limits, JointShape::motor}))
+      add(pair);
   }
   ~Ode() override {
     dJointGroupDestroy(contacts_);
@@ -178,12 +180,6 @@ class Ode : public Engine {
     dBodyID body;  // null for one that nothing moves
     dGeomID geom;
     double friction, restitution;
-  };
-
-  struct Hinge {
-    dJointID id;
-    int a, b;
-    Vec3 axis;
   };
 
   dBodyID body_of(int index) const {
@@ -243,47 +239,27 @@ class Ode : public Engine {
     bodies_.push_back(made);
   }
 
-  void add(const JointShape& shape, const Joint& joint) {
+  void add(const HeldPair& pair) {
     ++joints_;
-    dBodyID a = body_of(joint.a), b = body_of(joint.b);
-    const Vec3 at = (shape.anchor_a + shape.anchor_b) / 2;
-    switch (shape.kind) {
-      case JointShape::ball_and_socket: {
-        dJointID made = dJointCreateBall(world_, nullptr);
-        dJointAttach(made, a, b);
-        return dJointSetBallAnchor(made, at.x(), at.y(), at.z());
-      }
-      case JointShape::hinge: {
-        dJointID made = dJointCreateHinge(world_, nullptr);
-        dJointAttach(made, a, b);
-        dJointSetHingeAnchor(made, at.x(), at.y(), at.z());
-        hinges_.push_back({made, joint.a, joint.b, shape.axis});
-        return dJointSetHingeAxis(made, shape.axis.x(), shape.axis.y(), shape.axis.z());
-      }
-      case JointShape::angle_limits: {
-        const auto [hinge, along] = hinge_of(shape, joint);
-        dJointSetHingeParam(hinge, dParamLoStop, along ? shape.low : -shape.high);
-        return dJointSetHingeParam(hinge, dParamHiStop, along ? shape.high : -shape.low);
-      }
-      case JointShape::motor: {
-        const auto [hinge, along] = hinge_of(shape, joint);
-        dJointSetHingeParam(hinge, dParamVel, along ? shape.speed : -shape.speed);
-        return dJointSetHingeParam(hinge, dParamFMax, shape.torque);
-      }
-      default:
-        throw not_had(joint.name);
+    const bool hinge = pair.shape.kind == JointShape::hinge;
+    dBodyID a = body_of(pair.joint->a), b = body_of(pair.joint->b);
+    const Vec3 at = (pair.shape.anchor_a + pair.shape.anchor_b) / 2, &axis = pair.shape.axis;
+    dJointID made = hinge ? dJointCreateHinge(world_, nullptr) : dJointCreateBall(world_, nullptr);
+    dJointAttach(made, a, b);
+    if (!hinge) return dJointSetBallAnchor(made, at.x(), at.y(), at.z());
+    dJointSetHingeAnchor(made, at.x(), at.y(), at.z());
+    dJointSetHingeAxis(made, axis.x(), axis.y(), axis.z());
+    // ODE counts the turn of its first body against its second. Of a body and the world, the first is the body.
+    const Vec3 counted = a == nullptr ? axis : Vec3(-axis);
+    if (pair.turn) {
+      const JointShape turn = turned_to(*pair.turn, counted);
+      dJointSetHingeParam(made, dParamLoStop, turn.low);
+      dJointSetHingeParam(made, dParamHiStop, turn.high);
     }
-  }
-
-  /// The hinge that the two have, and whether it turns about the axis of `shape` as ODE counts: its first body against its second.
-  /// Of a body and the world, the first is the body.
-  std::pair<dJointID, bool> hinge_of(const JointShape& shape, const Joint& joint) const {
-    for (const Hinge& hinge : hinges_) {
-      if (hinge.a != joint.a || hinge.b != joint.b) continue;
-      const bool b_first = body_of(joint.a) == nullptr;
-      return {hinge.id, (hinge.axis.dot(shape.axis) > 0) == b_first};
+    if (pair.motor) {
+      dJointSetHingeParam(made, dParamVel, turned_to(*pair.motor, counted).speed);
+      dJointSetHingeParam(made, dParamFMax, pair.motor->torque);
     }
-    throw not_had(joint.name + " without the hinge that they are of");
   }
 
   /// m/s, of its surface.
@@ -324,7 +300,6 @@ class Ode : public Engine {
   std::list<OdeHull> solids_;
   std::vector<Made> bodies_;
   std::map<dGeomID, Eigen::Vector3d> belts_;  // looked up, never gone through
-  std::vector<Hinge> hinges_;
   int joints_ = 0;
   bool without_normal_ = false;  // so it is where hulls meet face to face: a step would end the program
   int found_ = 0, rows_ = 0;     // contacts, and their rows, in the latest step

@@ -31,15 +31,6 @@ class Player {
   virtual std::optional<double> seconds() const { return {}; }
 };
 
-/// An engine that is asked for one substep after the other, each as long as the setting says.
-class PlayerInSubsteps : public Player {
- public:
-  void frame(int substeps) override {
-    for (int i = 0; i < substeps; ++i) substep();
-  }
-  virtual void substep() = 0;
-};
-
 /// One way to play motions: a solver of ours, or of others.
 struct Method {
   std::string name;                          ///< a word for the command line

@@ -1,0 +1,237 @@
+#include "pushback/tools/measure/hard_cases/table_program.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "pushback/common/basics/files.h"
+#include "pushback/common/experiment/kept_picture.h"
+#include "pushback/tools/measure/hard_cases/table_picture.h"
+#include "pushback/tools/measure/results/chosen.h"
+#include "pushback/tools/measure/results/origin.h"
+
+namespace pushback {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Options {
+  std::vector<std::string> names, stages;
+  std::string out = "renders", shard = "1/1";
+  std::size_t parts = 0;
+  int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  int starts = many_starts;
+  bool no_images = false, list = false, redraw = false, renew = false;
+};
+
+/// Marks, and the last stage's worst number.
+void print_row(const Table& table, std::size_t row) {
+  std::string marks;
+  for (std::size_t column = 0; column < table.stages.size(); ++column)
+    marks += table.passed(row, column) ? "✓" : table.at(row, column).possible() ? "✗" : "—";
+  const std::size_t last = table.stages.size() - 1;
+  const auto rescued = table.chapters > 0 ? rescuer(table, row) : std::nullopt;
+  fmt::print("{:<24}{}  {}: {}, {:.3f} ms a step{}\n", table.cases[row].name, marks, table.stages[last].name,
+             worst_number(table, row, last), table.at(row, last).ms_per_step,
+             rescued ? fmt::format("; rescued by {}", table.stages[*rescued].name) : "");
+}
+/// Every number of every stage that has been played.
+void print_numbers(const Table& table, std::size_t row) {
+  for (std::size_t column = 0; column < table.stages.size(); ++column) {
+    if (!table.played(row, column)) continue;
+    const Outcome& outcome = table.at(row, column);
+    fmt::print("  {} {:<28}", table.passed(row, column) ? "✓" : "✗", table.stages[column].name);
+    for (std::size_t i = 0; i < outcome.numbers.size(); ++i) {
+      const Criterion& c = table.cases[row].criteria[i];
+      fmt::print("{} {} (≤ {}); ", c.what, in_short(outcome.largest[i], c.limit, c.unit), c.limit_with_unit());
+    }
+    const std::string starts = passed_of_starts(outcome);
+    fmt::print("{}{}{:.3f} ms{}{}\n", starts, starts.empty() ? "" : "; ", outcome.ms_per_step,
+               outcome.broken.empty() ? "" : "; ", outcome.broken);
+  }
+}
+
+/// Of solvers of one's own, beside the others; false where one came to no end somewhere.
+bool sum_up(const Table& table) {
+  for (std::size_t column = 0; column < table.stages.size(); ++column) {
+    fmt::print("{}{} {}", column == 0 ? "pass, of " + std::to_string(table.cases.size()) + ": " : ", ",
+               table.stages[column].name, table.passes(column));
+  }
+  fmt::print("\n");
+  std::fflush(stdout);
+  bool ended = true;
+  for (std::size_t pair = 0; pair < table.outcomes.size(); ++pair) {
+    const Outcome& outcome = table.outcomes[pair];
+    if (outcome.ended) continue;
+    ended = false;
+    fmt::print(stderr, "{}: {}: {}\n", table.stages[pair % table.stages.size()].name,
+               table.cases[pair / table.stages.size()].name, outcome.broken);
+  }
+  return ended;
+}
+
+/// Leaves out stages whose program is not built. Throws InvalidInput if they were asked for by name, or if none is left.
+void leave_out_missing(std::vector<Stage>& columns, bool by_name) {
+  std::string missing;
+  std::erase_if(columns, [&](const Stage& stage) {
+    if (stage.apart.empty() || fs::exists(stage.apart.front())) return false;
+    missing = fmt::format("'{}' needs {}, which is not built: its engine is missing", stage.name, stage.apart.front());
+    if (by_name) throw InvalidInput(missing);
+    fmt::print("left out: {}\n", missing);
+    return true;
+  });
+  if (columns.empty()) throw InvalidInput(missing);
+}
+
+/// Those of all stages that one of the two tables has.
+std::vector<Stage> in_either(const std::vector<Stage>& all, const Table& one, const Table& other) {
+  const auto has = [](const Table& table, const Stage& stage) {
+    return std::any_of(table.stages.begin(), table.stages.end(),
+                       [&](const Stage& in) { return in.name == stage.name; });
+  };
+  std::vector<Stage> found = all;
+  std::erase_if(found, [&](const Stage& stage) { return !has(one, stage) && !has(other, stage); });
+  return found;
+}
+
+class TableRun {
+ public:
+  TableRun(const Options& options, TableKind kind)
+      : options_(options), kind_(std::move(kind)), home_(fs::path(options.out) / kind_.folder) {}
+
+  /// False if a stage that was entered came to no end somewhere.
+  bool operator()() {
+    if (options_.redraw) return show(read(home_), home_);
+    std::vector<HardCase> cases = chosen("case", hard_cases(), options_.names);
+    for (HardCase& c : cases) c.starts = std::min(c.starts, options_.starts);
+    std::vector<Stage> columns = chosen("stage", kind_.stages, options_.stages);
+    const bool whole = kind_.whole && cases.size() == hard_cases().size() && columns.size() == kind_.stages.size() &&
+                       options_.starts == many_starts;
+    columns.insert(columns.end(), kind_.further.begin(), kind_.further.end());
+    if (options_.list) return list(cases, columns);
+    fs::path folder = whole || options_.renew ? home_ : home_ / "part";
+    if (options_.parts > 0) return join(folder);
+    leave_out_missing(columns, !options_.stages.empty());
+    const Shard shard = shard_of(options_.shard);
+    if (shard.of > cases.size() * columns.size())
+      throw InvalidInput(
+          fmt::format("--shard is '{}': there are {} cases under {} stages, and each part needs one pair",
+                      options_.shard, cases.size(), columns.size()));
+    if (!shard.whole()) folder /= shard.folder();
+    std::optional<Table> before;
+    if (options_.renew) before = read(home_);
+    make_writable_folder(folder);
+    Table table = played(std::move(cases), std::move(columns), shard,
+                         !shard.whole() || (!whole && (kind_.further.empty() || cases.size() <= 3)));
+    if (before) table = renewed(*before, table, in_either(kind_.stages, *before, table));
+    write(table, times_csv(table), folder);
+    if (!shard.whole()) write_text_file(folder / "origin.txt", origin_text(origin_here()));
+    else show(table, folder);
+    return kind_.further.empty() || sum_up(table);
+  }
+
+ private:
+  Table read(const fs::path& folder) const {
+    return read_table_csv(read_text_file(folder / (kind_.file + ".csv")), kind_.stages);
+  }
+
+  void write(const Table& table, const std::string& times, const fs::path& folder) const {
+    write_text_file(folder / (kind_.file + ".csv"), table_csv(table));
+    write_text_file(folder / kind_.times, times);
+  }
+
+  /// Writes what is made of the table.
+  bool show(const Table& table, const fs::path& folder) const {
+    const Table shown = kind_.shown(table);
+    const bool pictured = !options_.no_images && !kind_.picture.empty();
+    const fs::path page = folder / (kind_.file + ".md"), picture = folder / (kind_.picture + ".png");
+    write_text_file(page, kind_.page(shown, folder));
+    if (pictured) keep_picture(picture, draw_overview(shown));
+    fmt::print("\n{}\n", (pictured ? picture : page).string());
+    return true;
+  }
+
+  /// The parts, put together: the same files as if all had been played here.
+  bool join(const fs::path& folder) const {
+    const auto folders = folders_of_parts(folder, options_.parts, "origin.txt", Holds::numbers);
+    constexpr int fields = 2;  // a thing is a pair of case and stage
+    const Table table = read_table_csv(joined(texts_of_parts(folders, kind_.file + ".csv"), fields), kind_.stages);
+    write(table, joined(texts_of_parts(folders, kind_.times), fields), folder);
+    return show(table, folder);
+  }
+
+  static bool list(const std::vector<HardCase>& cases, const std::vector<Stage>& columns) {
+    for (const HardCase& c : cases) fmt::print("{:<24}{}: {}\n", c.name, c.title, c.stresses);
+    fmt::print("\n");
+    for (const Stage& stage : columns) fmt::print("{:<24}{}\n", stage.name, stage.what);
+    return true;
+  }
+
+  Table played(std::vector<HardCase> cases, std::vector<Stage> columns, const Shard& shard, bool all_numbers) const {
+    std::size_t printed = 0;
+    const bool terminal = isatty(fileno(stdout)) == 1;
+    const auto progress = [&](const Table& so_far, std::size_t rows, std::size_t done) {
+      if (terminal) fmt::print("\r\033[K");
+      for (; printed < rows; ++printed) {
+        if (shard.whole()) print_row(so_far, printed);
+        else fmt::print("{}\n", so_far.cases[printed].name);
+        if (all_numbers) print_numbers(so_far, printed);
+      }
+      if (terminal && done < so_far.outcomes.size()) fmt::print("{} of {}", done, so_far.outcomes.size());
+      std::fflush(stdout);
+    };
+    return play(std::move(cases), std::move(columns), options_.jobs, progress, kind_.giving_up, shard);
+  }
+
+  const Options& options_;
+  TableKind kind_;
+  fs::path home_;
+};
+
+}  // namespace
+
+int table_program(int argc, const char* const* argv, CommandLine& line, const std::function<TableKind()>& kind_of) {
+  Options options;
+  double patience = 0;
+  line.option("NAME", options.names, "Only these cases, by their names or a part of them");
+  line.option("--stages", options.stages, "Only these columns, by their names or a part of them, separated by commas")
+      .split_at_commas();
+  line.option("--out", options.out,
+              "Where the folder of the table is made; what is not the whole table goes to its folder part")
+      .shows_default();
+  line.option("--jobs", options.jobs, "So many threads; the results do not depend on it")
+      .between(1, 256)
+      .shows_default();
+  line.option("--starts", options.starts,
+              "At most so many starts of the cases at a knife's edge; with fewer than 30 not the whole table")
+      .between(1, many_starts)
+      .shows_default();
+  const auto at_most =
+      line.option("--at-most", patience, "A case that a process of its own plays is given up after so long, s")
+          .between(0.1, 36000.0);
+  line.option("--shard", options.shard, "2/5: the second of five parts, for a machine of its own, into shard_2_of_5");
+  line.option("--join", options.parts,
+              "5: nothing is played; the whole of the five parts that were played with the same options")
+      .between(2, 1000);
+  line.flag("--renew", options.renew,
+            "The other pairs stay as they are in the whole table's CSV file; only those named are played");
+  line.flag("--no-images", options.no_images, "No picture");
+  line.flag("--redraw", options.redraw, "Nothing is played: the page and picture of the whole table's CSV file");
+  line.flag("--list", options.list, "List the cases and the columns, and do nothing");
+  bool ended = true;
+  const int status = line.run(argc, argv, [&] {
+    TableKind kind = kind_of();
+    if (at_most.given()) {
+      require_between("--at-most", static_cast<Real>(patience), Real(0.1), 36000);  // the range lets nan pass
+      kind.giving_up.seconds = patience;
+    }
+    if (options.renew && !(kind.whole && shard_of(options.shard).whole()))
+      throw InvalidInput("--renew is for columns of the whole table, and not for --shard");
+    ended = TableRun(options, std::move(kind))();
+  });
+  return status == 0 && !ended ? 1 : status;
+}
+
+}  // namespace pushback
