@@ -93,3 +93,17 @@ TEST_CASE("03: under gravity a contact follows d_0 (1 - beta)^k as long as d <= 
     }
   }
 }
+
+TEST_CASE("03: beta / h makes the correction depend on the step: four quarter steps are not one step") {
+  const Real d0 = Real(0.06), beta = Real(0.2);
+  World one, four;
+  for (World* world : {&one, &four}) {
+    world->gravity.setZero();
+    ball_on_ground(*world, d0);
+  }
+  Solver<Baumgarte> solver, quarters;
+  one.step(solver, h, one_sweep);
+  for (int i = 0; i < 4; ++i) four.step(quarters, h / 4, one_sweep);
+  CHECK(depth_of(one.bodies[1]) == Approx(d0 * (1 - beta)).epsilon(tiny));
+  CHECK(depth_of(four.bodies[1]) == Approx(d0 * std::pow(1 - beta, Real(4))).epsilon(tiny));
+}
