@@ -11,10 +11,6 @@
 
 using namespace pushback;
 
-#ifndef SOURCE_DIR
-#define SOURCE_DIR "."
-#endif
-
 TEST_CASE("bodies and queries: debris lies on the scenery and falls through people") {
   World world;
   constexpr std::uint32_t scenery = 1, people = 2, debris = 4;

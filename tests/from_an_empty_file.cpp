@@ -48,36 +48,6 @@ Body wing_nut() {
 
 }  // namespace
 
-TEST_CASE("a body falls as far as symplectic Euler says") {
-  Body body = box({1, 2, 3}, 4);
-  const double h = 1. / 60;
-  for (int step = 0; step < 60; ++step) {
-    accelerate(body, {0, -9.81, 0}, h);
-    move(body, h);
-  }
-  CHECK(body.position.y() == Approx(-9.81 * h * h * 60 * 61 / 2).epsilon(1e-13));
-  CHECK(body.velocity.y() == Approx(-9.81).epsilon(1e-13));
-  Body fixed = box({1, 1, 1}, 1);
-  fixed.inverse_mass = 0;
-  accelerate(fixed, {0, -9.81, 0}, h);
-  CHECK(fixed.velocity.norm() == 0);
-}
-
-TEST_CASE("masses, inertias and what an impulse does are those of common/") {
-  Random random(3);
-  for (int i = 0; i < 100; ++i) {
-    Body body = random_box(random, 2);
-    const pushback::Body same = twin(body);
-    CHECK((world_inverse_inertia(body) - same.inverse_inertia).norm() < 1e-12 * same.inverse_inertia.norm());
-    const Vec3 impulse = random.vector(2), point = body.position + random.vector(1);
-    const Vec3 before = angular_momentum(body), w = body.angular_velocity, v = body.velocity;
-    push(body, impulse, point);
-    CHECK((body.velocity - v - same.inverse_mass * impulse).norm() < 1e-12);
-    CHECK((body.angular_velocity - w - same.inverse_inertia * (point - body.position).cross(impulse)).norm() < 1e-11);
-    CHECK((angular_momentum(body) - before - (point - body.position).cross(impulse)).norm() < 1e-10);
-  }
-}
-
 TEST_CASE("a free body keeps its angular momentum, to rounding, and turns over about its middle axis") {
   const auto largest_error_of_energy = [](double h) {
     Body body = wing_nut();
@@ -96,37 +66,6 @@ TEST_CASE("a free body keeps its angular momentum, to rounding, and turns over a
   const double whole = largest_error_of_energy(1. / 240), half = largest_error_of_energy(1. / 480);
   CHECK(whole < 1e-4);
   CHECK(whole / half > 3);
-}
-
-TEST_CASE("the error of a turn is of second order") {
-  const auto turned_by = [](double h) {
-    Body body = wing_nut();
-    body.angular_velocity = {1, 2, 3};
-    for (int step = 0; step < std::lround(0.5 / h); ++step) move(body, h);
-    return body.orientation;
-  };
-  const Quat truth = turned_by(1. / 65536);
-  const double whole = truth.angularDistance(turned_by(1. / 64)), half = truth.angularDistance(turned_by(1. / 128));
-  CHECK(whole / half == Approx(4).epsilon(0.05));
-}
-
-TEST_CASE("balls and planes touch where they should") {
-  const Plane floor{{0, 1, 0}, 0.5};
-  const Touches rests = touch(floor, Ball{{3, 1.3, 1}, 1});
-  REQUIRE(rests.size() == 1);
-  CHECK(rests[0].depth == Approx(0.2));
-  CHECK((rests[0].point - Vec3(3, 0.4, 1)).norm() < 1e-14);
-  CHECK(touch(floor, Ball{{3, 1.6, 1}, 1}).empty());
-  const Touches balls = touch(Ball{{0, 0, 0}, 1}, Ball{{0, 0, 2.5}, 2});
-  REQUIRE(balls.size() == 1);
-  CHECK(balls[0].depth == Approx(0.5));
-  CHECK((balls[0].point - Vec3(0, 0, 0.75)).norm() < 1e-14);
-  CHECK(touch(Ball{{0, 0, 0}, 1}, Ball{{0, 0, 0}, 1})[0].normal.norm() == 1);
-  Body body = box({1, 0.5, 2}, 1);
-  body.position.y() = 0.9;
-  const Touches corners = touch(floor, body);
-  REQUIRE(corners.size() == 4);
-  for (const Touch& corner : corners) CHECK(corner.depth == Approx(0.1));
 }
 
 TEST_CASE("boxes touch where common/ says they do, as deep, and no axis between them overlaps less") {

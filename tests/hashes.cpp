@@ -34,8 +34,6 @@ struct Table {
   std::vector<std::pair<std::string, std::vector<std::string>>> lines = {};
 };
 
-// ---- six scenes, 600 steps, every stage of the hard cases -----------------------------------------------------------------
-
 void heap(World& world) {
   Random random(7);
   world.add(ground());
@@ -100,8 +98,6 @@ Table by_stages() {
   }
   return table;
 }
-
-// ---- every scene of the chapters, and every joint, under what the stages do not know --------------------------------------
 
 using Step = std::function<void(World&)>;
 

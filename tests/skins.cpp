@@ -10,38 +10,6 @@
 
 using namespace pushback;
 
-TEST_CASE("skin: round bodies touch as if their radius were larger by it") {
-  Random random(1);
-  int touching = 0;
-  for (int i = 0; i < 5000; ++i) {
-    Real radius[2], skin[2];
-    Body plain[2], larger[2];
-    const Vec3 where = random.vector(Real(1.5));
-    const bool on_ground = i % 3 == 0;
-    for (int k = 0; k < 2; ++k) {
-      radius[k] = random.between(Real(0.2), 1);
-      skin[k] = i % 4 == k ? 0 : random.between(0, Real(0.5));
-      plain[k] = sphere(radius[k], 1).with_skin(skin[k]);
-      larger[k] = sphere(radius[k] + skin[k], 1);
-    }
-    if (on_ground) plain[0] = ground().with_skin(skin[0]), larger[0] = ground().at({0, skin[0], 0});
-    Contacts found, expected;
-    for (Body* pair : {plain, larger}) {
-      pair[1].at(where);
-      pair[0].index = 0, pair[1].index = 1;
-      collide(pair[0], pair[1], pair == plain ? found : expected);
-    }
-    REQUIRE(found.size() == expected.size());
-    for (std::size_t k = 0; k < found.size(); ++k) {
-      ++touching;
-      CHECK(std::abs(found[k].depth - expected[k].depth) < point_rounding);
-      CHECK((found[k].normal - expected[k].normal).norm() < point_rounding);
-      CHECK((found[k].point - expected[k].point).norm() < point_rounding);
-    }
-  }
-  CHECK(touching > 2000);
-}
-
 TEST_CASE("skin: the depth of any two shapes is larger by both skins than without, where they are apart as well") {
   Random random(2);
   int compared = 0;

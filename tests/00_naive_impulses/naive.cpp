@@ -74,26 +74,6 @@ TEST_CASE("00: the lecture's formula, with (1 + e) on the velocities alone, keep
   }
 }
 
-TEST_CASE("00: an impact of one pair, all alone, is the same in both takes, bit for bit") {
-  World once, again;
-  naive_impulses_scenes::SpinningHit{}(once);
-  naive_impulses_scenes::SpinningHit{}(again);
-  NaiveOnce first;
-  NaiveAveraged second;
-  bool met = false;
-  for (int step = 0; step < 30; ++step) {
-    once.step(first, Real(1) / 60);
-    again.step(second, Real(1) / 60);
-    met = met || !once.contacts.empty();
-    for (std::size_t i = 0; i < once.bodies.size(); ++i) {
-      REQUIRE(once.bodies[i].position == again.bodies[i].position);
-      REQUIRE(once.bodies[i].velocity == again.bodies[i].velocity);
-      REQUIRE(once.bodies[i].angular_velocity == again.bodies[i].angular_velocity);
-    }
-  }
-  REQUIRE(met);
-}
-
 TEST_CASE("00: pushing apart ends the overlap and leaves the common centre of mass where it was") {
   Random random(4);
   for (int i = 0; i < 200; ++i) {

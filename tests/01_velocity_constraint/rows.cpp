@@ -204,33 +204,6 @@ TEST_CASE("K = J M^-1 J^T, and apply(lambda) is V += M^-1 J^T lambda") {
   }
 }
 
-TEST_CASE("in the plane K is 1/m_A + 1/m_B + (r_A x n)^2 / I_A + (r_B x n)^2 / I_B") {
-  Random random(6);
-  for (int i = 0; i < many; ++i) {
-    World world;
-    Contact c;
-    Real K = 0;
-    const Real heading = random.between(-pi, pi);
-    c.normal = {std::cos(heading), std::sin(heading), 0};
-    c.point = random.vector(1);
-    c.point.z() = 0;
-    for (int k = 0; k < 2; ++k) {
-      const Real mass = random.over_decades(Real(0.1), 1000);
-      const Real width = random.between(Real(0.1), 1), height = random.between(Real(0.1), 1);
-      const Real angle = random.between(-pi, pi);
-      Vec3 centre = random.vector(2);
-      centre.z() = 0;
-      world.add(box({width, height, Real(0.3)}, mass).turned(angle, Vec3::UnitZ()).at(centre));
-      const Real inertia = mass * (width * width + height * height) / 3;  // of a rectangle 2 w by 2 h
-      const Vec3 r = c.point - centre;
-      const Real r_n = r.x() * c.normal.y() - r.y() * c.normal.x();
-      K += 1 / mass + r_n * r_n / inertia;
-    }
-    c.id = {0, 1, 0};
-    REQUIRE(std::abs(1 / Row(world, c, c.normal, 0).effective_mass - K) <= 64 * eps * K);
-  }
-}
-
 TEST_CASE("after one solve J V + b = 0 and nothing is left to correct") {
   Random random(7);
   for (int i = 0; i < many; ++i) {

@@ -144,34 +144,6 @@ TEST_CASE("07: the first guess is scaled by dt_new / dt_old") {
   }
 }
 
-TEST_CASE("07: what the contacts have forgotten starts from nothing, and what they know from there") {
-  World world;
-  ball_on_ground(world, Real(0.002));
-  FullSolver solver;
-  world.step(solver, h, one_sweep);
-  world.step(solver, h, 0);
-  CHECK(world.contacts.at(0).impulse.y() == Approx(10 * g * h).epsilon(64 * eps));
-  world.contacts.clear();
-  world.step(solver, h, 0);
-  CHECK(world.contacts.at(0).impulse.isZero(0));
-  CHECK(world.contacts[0].state == ContactState::fresh);
-}
-
-TEST_CASE("07: a contact that vanishes for one step comes back with nothing") {
-  World world;
-  Body& ball = ball_on_ground(world, Real(0.002));
-  FullSolver solver;
-  world.step(solver, h, one_sweep);
-  const Vec3 place = ball.position;
-  ball.at(place + Vec3(0, Real(0.1), 0));
-  world.step(solver, h, one_sweep);
-  REQUIRE(world.contacts.empty());
-  ball.at(place).moving(Vec3::Zero());
-  world.step(solver, h, 0);
-  CHECK(world.contacts.at(0).impulse.isZero(0));
-  CHECK(world.contacts[0].state == ContactState::fresh);
-}
-
 TEST_CASE("07: the impulse of each contact goes to the same contact, though others come and go") {
   // Three balls of different mass. The middle one leaves and returns; the outer ones keep what is theirs.
   World world;

@@ -6,6 +6,7 @@
 #include "pushback/chapters/10_position_correction/study.h"
 #include "pushback/chapters/20_only_what_is_needed/dispatch.h"
 #include "pushback/common/bodies/random.h"
+#include "pushback/common/world/any_solver.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
 #include "tests/support/on_ground.h"
@@ -51,8 +52,6 @@ void step_without_correction(World& world, ContactSolver& solver) {
 }  // namespace
 
 #define BOTH_WAYS SplitImpulse, NonlinearGaussSeidel
-
-// ---- one contact: the closed forms --------------------------------------------------------------------------------------
 
 TEMPLATE_TEST_CASE(
     "10: d_k = d_0 (1 - beta)^k, without gravity and with it, at any depth, and no speed, no kinetic energy", "",
@@ -143,8 +142,6 @@ TEMPLATE_TEST_CASE("10: a box comes up with the energy that lifting takes, and n
   }
 }
 
-// ---- two free bodies: what nothing outside may change ------------------------------------------------------------------------
-
 TEMPLATE_TEST_CASE("10: the centre of mass of a free pair stays, and velocities keep every bit", "", BOTH_WAYS) {
   Random random(11);
   for (int i = 0; i < 200; ++i) {
@@ -204,8 +201,6 @@ TEMPLATE_TEST_CASE("10: a correction turns a free pair as a whole by nothing", "
   CHECK(corrected > 200);
 }
 
-// ---- many contacts -------------------------------------------------------------------------------------------------------
-
 TEMPLATE_TEST_CASE("10: born inside each other, boxes part slowly, keep unit orientations, and come to rest", "",
                    BOTH_WAYS) {
   for (const Real beta : {Real(0.2), Real(1)}) {
@@ -263,8 +258,6 @@ TEST_CASE("10: enough rounds leave no overlap that collision would find") {
   }
 }
 
-// ---- bounces ---------------------------------------------------------------------------------------------------------------
-
 TEMPLATE_TEST_CASE("10: a bounce is neither higher nor lower for the correction: what leaves by itself is not pushed",
                    "", BOTH_WAYS) {
   World corrected, bare;
@@ -293,8 +286,6 @@ TEMPLATE_TEST_CASE("10: with e = 0 what lands deep stays down", "", BOTH_WAYS) {
   CHECK(landed);
 }
 
-// ---- the hook, and who calls it -- ---------------------------------------------------------------------------------------------
-
 template <class E>
 concept FitsAnySolver = !std::is_base_of_v<RequiredHook, E>;  // what Solver asserts
 
@@ -318,21 +309,22 @@ TEMPLATE_TEST_CASE("10: where nothing is too deep, the bits are those of a solve
   }
 }
 
+static_assert(std::same_as<Only<With<SplitImpulse>, Questions<NeedsContacts>>,
+                           CorrectingSolver<Clamping, SplitImpulse, Slop, WarmStart>>);
 TEMPLATE_TEST_CASE("10: a solver chosen for the scene corrects as well, and so does one with sleep", "", BOTH_WAYS) {
   World plain, fitted, awake;
   for (World* world : {&plain, &fitted, &awake}) boxes_in_each_other(*world);
-  With<TestType> solver;
+  const AnySolver solver = With<TestType>{};  // chosen as a whole: see the assertions above
+  AnySolver its = solver;
   OnlyWhatIsNeeded only(fitted, solver), with_sleep(awake, solver, Sleep{});
   for (int step = 0; step < 20; ++step) {
-    plain.step(solver, h, 10);
+    plain.step(its, h, 10);
     only.step(fitted, h, 10);
     with_sleep.step(awake, h, 10);
     REQUIRE(hash_of(plain) == hash_of(fitted));
     REQUIRE(hash_of(plain) == hash_of(awake));
   }
 }
-
-// ---- bad input ---------------------------------------------------------------------------------------------------------------
 
 TEMPLATE_TEST_CASE("10: a beta, a cap or a number of rounds that cannot be is refused by name, and nobody has moved",
                    "", BOTH_WAYS) {

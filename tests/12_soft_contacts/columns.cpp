@@ -1,5 +1,5 @@
 /// A column of boxes on soft contacts is a mast: it buckles at Greenhill's height, and below it sways as boxes on springs do.
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 
 #include "pushback/chapters/12_soft_contacts/mast.h"
 #include "tests/12_soft_contacts/soft_contacts.h"

@@ -5,8 +5,6 @@
 
 using namespace pushback;
 
-// ---- the relaxing pass -----------------------------------------------------------------------------------------------
-
 // Balls: their inertia is the same however they have turned since the rows were made.
 TEST_CASE("relaxing takes energy or leaves it, in every step of a heap without friction") {
   Random random(3);
@@ -82,8 +80,6 @@ TEST_CASE(
     }
   }
 }
-
-// ---- rolling ---------------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -175,8 +171,6 @@ TEST_CASE("relaxing places a row at one point for both bodies, and there it read
     }
   }
 }
-
-// ---- under a load ----------------------------------------------------------------------------------------------------
 
 // Beyond the depth where the cap binds, the contact is rigid and rises at the fastest push-out. Before it, the spring lets
 // through gamma / (K + gamma) of what the load adds to the speed in a step: so much further it may go, once.

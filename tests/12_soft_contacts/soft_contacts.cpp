@@ -18,8 +18,6 @@ Row any_row(World& world, Random& random) {
 
 }  // namespace
 
-// ---- the row ---------------------------------------------------------------------------------------------------------
-
 TEST_CASE("a soft normal ends at J V + b + gamma lambda = 0, wherever it starts") {
   Random random(1);
   for (int i = 0; i < 500; ++i) {
@@ -54,8 +52,6 @@ TEST_CASE("a row without softness gets, to the bit, what a step without any give
     REQUIRE(rows[0].impulse == wanted);
   }
 }
-
-// ---- the spring ------------------------------------------------------------------------------------------------------
 
 TEST_CASE("a ball on a soft contact that may also pull moves as a damped spring under implicit Euler, step by step") {
   for (const Real zeta : {Real(0), Real(0.1), Real(1), Real(5)}) {
@@ -122,8 +118,6 @@ TEST_CASE("a box that carries another M / m times as heavy rests (1 + M/m) g / w
       CHECK(contact.depth == Approx(depth).epsilon(in_double ? 1e-4 : 0.05));
   }
 }
-
-// ---- what must not happen ----------------------------------------------------------------------------------------------
 
 TEST_CASE("stable however stiff, whatever the step") {
   for (const Real hertz : {Real(1), Real(60), Real(1e4), Real(1e9)}) {

@@ -1,5 +1,7 @@
 /// Chapter 13 in motion: what beads, rods and pendulums do against closed forms.
 #include "pushback/chapters/13_joints/study.h"
+#include "pushback/chapters/14_joints_under_load/scenes.h"
+#include "pushback/chapters/14_joints_under_load/structures.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
@@ -18,8 +20,10 @@ Real energy(const World& world) {
 
 }  // namespace
 
-TEST_CASE("13: every scene starts with its joints in place") {
-  for (const auto& fill : std::vector<std::function<void(World&)>>{beads_on_wires, Pendulums{}, door_and_weld}) {
+TEST_CASE("13, 14: every scene starts with its joints in place") {
+  using namespace joints_under_load_scenes;
+  for (const auto& fill : std::vector<std::function<void(World&)>>{
+           beads_on_wires, Pendulums{}, door_and_weld, ChainWithWeight{}, suspension_bridge, ropes, cloth_over_ball}) {
     World world;
     fill(world);
     REQUIRE(!world.joints.empty());

@@ -99,6 +99,11 @@ TEST_CASE("every Matrix is the derivative of its C, where the joint holds and wh
         check_against_finite_differences(joint, first, second);
       }
     }
+    const Real angle = random.between(-3, 3);
+    const Body on_wire = sphere(Real(0.1), 1).at({2 * std::cos(angle), std::sin(angle), 0}).moving(random.direction());
+    World wired;
+    wired.add(on_wire);
+    check_against_finite_differences(bead_on(wired, ellipse(2, 1), 0), body_of(wired, the_world), wired.bodies[0]);
   }
 }
 
@@ -141,16 +146,6 @@ TEST_CASE(
     const Real size = std::abs(yields.speed()) + std::abs(yields.bias) + (K + gamma) * (std::abs(yields.impulse) + 10);
     REQUIRE(std::abs(yields.speed() + yields.bias + gamma * yields.impulse) <= 32 * eps * size);
     REQUIRE(yields.error() <= 64 * eps * size);
-  }
-}
-
-TEST_CASE("a bead's row is the derivative of its distance from the wire, on the wire") {
-  Random random(2);
-  for (int i = 0; i < 200; ++i) {
-    World world;
-    const Real angle = random.between(-3, 3);
-    world.add(sphere(Real(0.1), 1).at({2 * std::cos(angle), std::sin(angle), 0}).moving(random.direction()));
-    check_against_finite_differences(bead_on(world, ellipse(2, 1), 0), body_of(world, the_world), world.bodies[0]);
   }
 }
 
@@ -229,22 +224,6 @@ TEST_CASE("what rows that feed nothing back do to the energy is -|dV|^2 / 2, in 
     world.step(solver, h, 3000);  // whatever velocities it starts with, a solved step has none against the joints
     for (int step = 0; step < 20; ++step) REQUIRE(energy_of_a_step(world, solver, h, 3000).off < Real(1e-9));
   }
-}
-
-TEST_CASE("joined bodies do not touch, unless asked to") {
-  World world = two_cubes();
-  world.bodies[1].at({Real(0.9), 0, 0});
-  world.joints.push_back(hinge(world, 0, 1, {Real(0.5), 0, 0}, Vec3::UnitZ()));
-  JointedSolver solver;
-  world.step(solver, h);
-  CHECK(world.contacts.empty());
-  world.joints[0].colliding = true;
-  world.step(solver, h);
-  CHECK(!world.contacts.empty());
-  world.joints[0].colliding = false;
-  world.add(box(Vec3::Constant(Real(0.5)), 1).at({Real(1.8), 0, 0}));  // joined to neither
-  world.step(solver, h);
-  CHECK(!world.contacts.empty());
 }
 
 TEST_CASE("a distance of two points that have come to be one pushes them apart, and nothing is NaN") {

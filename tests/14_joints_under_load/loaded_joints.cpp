@@ -74,16 +74,6 @@ bool settles(Real ratio, int sweeps, Real beta) {
 
 }  // namespace
 
-TEST_CASE("14: every scene starts with its joints in place") {
-  for (const auto& fill :
-       std::vector<std::function<void(World&)>>{ChainWithWeight{}, suspension_bridge, ropes, cloth_over_ball}) {
-    World world;
-    fill(world);
-    REQUIRE(!world.joints.empty());
-    CHECK(largest_joint_error(world) <= 64 * eps);
-  }
-}
-
 TEST_CASE("14: joints start from the impulses of the last step: what hangs still needs no sweep") {
   World world;
   for (int link = 0; link < 5; ++link) {

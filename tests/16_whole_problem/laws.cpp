@@ -213,14 +213,3 @@ TEST_CASE("the unitless residual does not see how tangents are chosen, and is th
   CHECK(relative_residual(scaled, scale.cwiseProduct(r)) == Approx(unitless).epsilon(1e-12));
   CHECK((unit_scales(scaled) - Vector::Ones(problem.contacts())).norm() < 1e-12);
 }
-
-TEST_CASE("a contact that no impulse moves has a unit all the same") {
-  Eigen::MatrixXd w = Eigen::MatrixXd::Zero(6, 6);
-  w.topLeftCorner<3, 3>().diagonal() << 2, 4, 6;
-  Vector q(6);
-  q << -1, 0, 0, -1, 0, 0;
-  const ContactProblem problem = problem_with(w, q, 0.5);
-  CHECK(unit_scales(problem)[1] == 2);
-  CHECK(std::isfinite(unitless_residual(problem, Vector::Zero(6))));
-  CHECK(unit_scales(problem_with(0 * w, q, 0.5)) == Vector::Ones(2));
-}

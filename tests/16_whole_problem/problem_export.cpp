@@ -107,25 +107,3 @@ TEST_CASE("solve writes r and u, so that another program can check them") {
     CHECK(relative_residual(problem, r) == known.residual);
   }
 }
-
-TEST_CASE("solve leaves friction out where it is asked to pivot") {
-  const Scratch scratch;
-  const fs::path problem_file = scratch / "a.dat", solution_file = scratch / "a.txt";
-  REQUIRE(call_program(EXPORT_PROGRAM, "07-ten-boxes " + in_quotes(problem_file)).status == 0);
-  const Ended solved =
-      call_program(SOLVE_PROGRAM, in_quotes(problem_file) + " --method pivoting --write " + in_quotes(solution_file));
-  INFO(solved.out << solved.err);
-  REQUIRE(solved.status == 0);
-  CHECK(contains(solved.out, "pivots, friction left out"));
-  ContactProblem problem = read_problem_file(problem_file);
-  CHECK_THROWS_AS(solve_frictionless(problem), InvalidInput);
-  problem.mu.setZero();
-  const Solution found = solve_frictionless(problem);
-  CHECK(found.pivots > 0);
-  CHECK(found.residual < 1e-12);
-  CHECK(text_of(solution_file) == solution_text(problem, found.r));
-  double on_ground = 0;  // ten boxes of 100 kg for 1/60 s
-  for (Eigen::Index contact = 0; contact < 4; ++contact) on_ground += found.r[3 * contact];
-  CHECK(on_ground == Approx(1000 * 9.81 / 60));
-  CHECK(contains(call_program(SOLVE_PROGRAM, "--help").out, "pivoting"));
-}

@@ -7,7 +7,6 @@
 #include "pushback/tools/measure/frozen/methods.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
-#include "tests/support/complaint.h"
 #include "tests/support/foreign_problems.h"
 
 using namespace pushback;
@@ -93,8 +92,4 @@ TEST_CASE("what Siconos solves is solved by our residual, and what we solve by i
     }
     CHECK(siconos_error(problem, solve_best(problem).r) <= 1e-12);
   }
-}
-
-TEST_CASE("a method that Siconos is not asked for is refused by name") {
-  CHECK(contains(complaint([] { solve_by_siconos(own()[1].problem, "Siconos GUESS", 1e-6, 10); }), "Siconos GUESS"));
 }

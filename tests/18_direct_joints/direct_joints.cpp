@@ -175,32 +175,6 @@ TEST_CASE("joints at once: with contacts the two take turns, and come to what sw
   CHECK(largest_error(at_once) < (in_double ? Real(1e-10) : Real(1e-3)));
 }
 
-TEST_CASE("joints at once: rows with limits come to what sweeps come to, and springs give way as they do") {
-  for (const auto& [name, fill] :
-       {std::pair<std::string, std::function<void(World&)>>{"a stop",
-                                                            [](World& world) {
-                                                              bar_and_stop(world);
-                                                              world.joints.push_back(stop_of_bar(world));
-                                                            }},
-        {"springs", SpringsLetGo{}}}) {
-    World one;
-    fill(one);
-    World other = one;
-    AtOnce at_once;
-    Swept swept;
-    INFO(name);
-    Real pushed = 0;
-    for (int step = 0; step < 60; ++step) {
-      one.step(at_once, h, 1);
-      other.step(swept, h, 3000);
-      for (const Row& row : at_once.joint_rows())
-        if (std::isfinite(row.lo)) pushed = std::max(pushed, row.impulse);
-    }
-    CHECK((pushed > 0) == (name == "a stop"));
-    CHECK(apart(one, other) < (in_double ? Real(1e-7) : Real(1e-2)));
-  }
-}
-
 TEST_CASE(
     "joints at once: all limits of a man who falls down the stairs, of motors and springs, are kept by one sweep") {
   const auto play = [](const std::string& name, const std::function<void(World&)>& fill) {

@@ -2,11 +2,11 @@
 #include "pushback/engine/direct/direct_tree_joints.h"
 
 #include "pushback/chapters/12_soft_contacts/steady_solver.h"
+#include "pushback/chapters/13_joints/distance.h"
+#include "pushback/chapters/13_joints/hinge.h"
 #include "pushback/chapters/13_joints/study.h"
-#include "pushback/chapters/14_joints_under_load/structures.h"
 #include "pushback/chapters/15_limits_motors_springs/limits.h"
 #include "pushback/chapters/15_limits_motors_springs/motor.h"
-#include "pushback/chapters/15_limits_motors_springs/ragdoll.h"
 #include "pushback/common/world/forces.h"
 #include "pushback/common/world/measure.h"
 #include "tests/support/catch.h"
@@ -15,8 +15,6 @@
 
 using namespace pushback;
 using namespace pushback::joints_scenes;
-using namespace pushback::joints_under_load_scenes;
-using namespace pushback::limits_motors_springs_scenes;
 
 namespace {
 
@@ -98,48 +96,6 @@ TEST_CASE("split direct joints: what swings loses a tenth of what each substep's
     INFO(in_a_step << ": " << lost << " of " << by_turning);
     CHECK(std::abs(lost) < Real(0.1) * by_turning);
   }
-}
-
-TEST_CASE("trees directly: a man and a chain are trees, a cloth and four bars are not, and each joint is solved once") {
-  World world;
-  const auto joints_of = [&world](const auto& add) {
-    const std::size_t before = world.joints.size();
-    add();
-    return std::pair(before, world.joints.size());
-  };
-  const auto cloth = joints_of([&] { cloth_over_ball(world); });
-  const auto man = joints_of([&] { add_ragdoll(world, {5, 3, 0}); });
-  const auto bars = joints_of([&] {
-    int first = 0;
-    for (int i = 0; i < 4; ++i) {
-      const int bar = world.add(box({Real(0.5), Real(0.1), Real(0.1)}, 1).at({-5, 3, 0}));
-      if (i == 0) first = bar;
-      else world.joints.push_back(ball_and_socket(world, bar - 1, bar, {-5, 3, static_cast<Real>(i)}));
-      if (i == 3) world.joints.push_back(ball_and_socket(world, bar, first, {-5, 3, 0}));
-    }
-  });
-  const auto chain = joints_of([&] {
-    int above = the_world;
-    for (int i = 0; i < 5; ++i) {
-      const int link = world.add(sphere(Real(0.1), 1).at({static_cast<Real>(i), 8, 0}));
-      world.joints.push_back(ball_and_socket(world, above, link, {static_cast<Real>(i) - Real(0.5), 8, 0}));
-      above = link;
-    }
-    world.joints.push_back(ball_and_socket(world, above, the_world, {Real(4.5), 8, 0}));  // at both ends: no loop
-  });
-  With<DirectTreeJoints> solver;
-  for (int step = 0; step < 60; ++step) substeps(world, solver, h, 4, 1);
-  std::vector<std::size_t> directly(world.joints.size()), swept(world.joints.size());
-  for (const JointRow& row : solver.trees.joint_rows()) ++directly[row.owner];
-  for (const JointRow& row : solver.loops.joint_rows()) ++swept[row.owner];
-  for (const auto& [joints, tree] : {std::pair(cloth, false), {man, true}, {bars, false}, {chain, true}}) {
-    CHECK(joints.second > joints.first);
-    for (std::size_t joint = joints.first; joint < joints.second; ++joint) {
-      CHECK((directly[joint] > 0) == tree);
-      CHECK((swept[joint] > 0) == !tree);
-    }
-  }
-  CHECK(solver.joint_rows().size() == solver.trees.joint_rows().size() + solver.loops.joint_rows().size());
 }
 
 TEST_CASE(

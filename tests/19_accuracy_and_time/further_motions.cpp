@@ -79,8 +79,6 @@ TEST_CASE("conveyor: half steps have it right, and a friction pyramid never gets
   CHECK(error_of("conveyor", Solver<Clamping, Baumgarte, Restitution, Friction>(), 64, 16) > 0.2);
 }
 
-// ---- grasp -----------------------------------------------------------------------------------------------------------
-
 namespace {
 
 World begun(const Grasp& tongs) {
@@ -146,44 +144,6 @@ TEST_CASE("hulls-1015: solved directly, piles of 1, 5, 30 and 91 stay where they
     PileOfHulls{.base = base}(world);
     INFO(world.bodies.size() - 1);
     CHECK(drift(world, 10) < 1e-12);
-  }
-}
-
-// ---- chaplygin -------------------------------------------------------------------------------------------------------
-
-TEST_CASE("chaplygin: energy and K stay, and by Newton and Euler one friction moves the centre and turns the ball") {
-  constexpr double dt = 1e-4;
-  constexpr int steps_in_a_second = Chaplygin::steps_in_a_frame * frames_per_second;
-  for (unsigned seed = 0; seed < 50; ++seed) {
-    INFO(seed);
-    Random random(seed);
-    // Moments that a body within a ball can have: of its mass's squared distances from each plane.
-    const double radius = random.between(0.2, 0.28), mass = random.between(2, 11);
-    const Vector3d squared = Vector3d::Constant(0.11) + random.any(0.09);
-    const RollingBall ball{
-        .radius = radius,
-        .mass = mass,
-        .inertia = mass * radius * radius * (Vector3d::Constant(squared.sum()) - squared),
-        .orientation = Eigen::Quaterniond(Eigen::AngleAxisd(random.between(0, 3), random.any(1).normalized())),
-        .centre = {0, radius, 0},
-        .spin = random.any(5)};
-    const RollingBall later = ball.after(2, 2 * steps_in_a_second);
-    CHECK(later.energy() == Approx(ball.energy()).epsilon(1e-11));
-    CHECK((later.momentum() - ball.momentum()).norm() < 1e-11 * ball.momentum().norm());
-    CHECK(later.orientation.norm() == Approx(1).epsilon(1e-14));
-    CHECK(later.centre.y() == ball.centre.y());
-
-    // The truth does not use these equations. m x'' is the force of the contact minus the weight that it carries.
-    const RollingBall before = later.after(-dt, 4), after = later.after(dt, 4);
-    const auto turning = [](const RollingBall& at) {
-      const Eigen::Matrix3d R = at.orientation.toRotationMatrix();
-      return Vector3d(R * at.inertia.asDiagonal() * R.transpose() * at.spin);
-    };
-    const Vector3d arm = -radius * Vector3d::UnitY(), force = mass * (after.velocity() - before.velocity()) / (2 * dt);
-    CHECK((later.velocity() + later.spin.cross(arm)).norm() < 1e-13);
-    CHECK(((after.centre - before.centre) / (2 * dt) - later.velocity()).norm() <
-          1e-6 * later.velocity().norm() + 1e-9);
-    CHECK(((turning(after) - turning(before)) / (2 * dt) - arm.cross(force)).norm() < 1e-6 * later.energy());
   }
 }
 

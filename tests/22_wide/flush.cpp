@@ -8,6 +8,7 @@
 #include "pushback/common/bodies/random.h"
 #include "pushback/engine/substeps/wide_solver.h"
 #include "tests/support/catch.h"
+#include "tests/support/tiles.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;
@@ -50,17 +51,8 @@ Body mover(Kind kind, const Way& way, Real yaw) {
 template <class Steps>
 std::pair<Vec3, Real> goes(Steps solver, const Body& body, const Way& way, bool tiled) {
   World world;
-  if (tiled) {
-    for (int x = -24; x <= 24; ++x) {
-      for (int z = -24; z <= 24; ++z) {
-        const Vec3 at(2 * tile * static_cast<Real>(x), -tile, 2 * tile * static_cast<Real>(z)), from = at - way.from;
-        const Real along = from.dot(way.along), beside = (Vec3(from.x(), 0, from.z()) - along * way.along).norm();
-        if (along > -1 && along < 11 && beside < 1) world.add(box(Vec3::Constant(tile), 1).fixed().at(at).rough(mu));
-      }
-    }
-  } else {
-    world.add(box({40, tile, 40}, 1).fixed().at({0, -tile, 0}).rough(mu));
-  }
+  if (tiled) add_tiles(world, tile, way.from, way.along, 11, 1, mu);
+  else world.add(box({40, tile, 40}, 1).fixed().at({0, -tile, 0}).rough(mu));
   const auto which = static_cast<std::size_t>(world.add(body));
   Real highest = 0;
   for (int i = 0; i < 120; ++i) {

@@ -108,23 +108,3 @@ TEST_CASE(
     }
   }
 }
-
-TEST_CASE("wide: what turns farther than Newton's method follows turns in the bits of one after the other") {
-  World world;
-  for (Body& body : turning(64, 30)) world.add(body.at({0, static_cast<Real>(5 * world.bodies.size()), 0}));
-  const std::vector<Body> before = world.bodies;
-  WideSolver<float> solver;
-  solver.integrate_positions(world, h);
-  int not_followed = 0;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    EightRotations<Real> eight = eight_of(before, i / lanes_per_bundle * lanes_per_bundle);
-    solver.body_passes.turn(eight, h);
-    if (eight.solved.values[i % lanes_per_bundle] == 1) continue;
-    Body alone = before[i];
-    spin_freely(alone, h);
-    CHECK(alone.angular_velocity == world.bodies[i].angular_velocity);
-    CHECK(alone.orientation.coeffs() == world.bodies[i].orientation.coeffs());
-    ++not_followed;
-  }
-  CHECK(not_followed >= 2);
-}

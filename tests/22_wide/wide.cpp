@@ -1,18 +1,12 @@
 /// Eight pairs at a time: the bits of one at a time, and the same physics as chapter 21's.
 #include "pushback/chapters/22_wide/study.h"
 
-#include <set>
-
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/chapters/11_substeps/scenes.h"
-#include "pushback/chapters/13_joints/ball_and_socket.h"
-#include "pushback/chapters/13_joints/hinge.h"
 #include "pushback/chapters/13_joints/study.h"
 #include "pushback/chapters/19_accuracy_and_time/motion.h"
-#include "pushback/chapters/20_only_what_is_needed/dispatch.h"
 #include "pushback/chapters/21_detected_once/study.h"
 #include "pushback/common/bodies/random.h"
-#include "pushback/common/world/any_solver.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/engine/substeps/wide_solver.h"
 #include "pushback/tools/measure/hard_cases/sliding.h"
@@ -67,40 +61,6 @@ TEST_CASE("wide: one, four and eight lanes give the same bits, on any processor,
 }
 TEST_CASE("wide: one, four and eight lanes give the same bits, on any processor, in double") {
   check_same_bits<double>();
-}
-
-TEST_CASE("wide: no two pairs of a set share a body that moves, every pair is in one set, and few sets do") {
-  Random random(1);
-  for (int i = 0; i < 50; ++i) {
-    const std::size_t bodies = 2 + random.below(40);
-    World world;
-    for (std::size_t k = 0; k < bodies; ++k) world.add(random.below(6) > 0 ? sphere(1, 1) : sphere(1, 1).fixed());
-    const auto movable = [&](std::size_t body) { return world.bodies[body].movable(); };
-    std::vector<TouchingPair> pairs;
-    for (std::size_t a = 0; a < bodies; ++a)
-      for (std::size_t b = a + 1; b < bodies; ++b)
-        if ((movable(a) || movable(b)) && random.below(3) == 0)
-          pairs.push_back({a, b, pairs.size(), 1 + random.below(4)});
-    std::vector<int> touches(bodies, 0);
-    for (const TouchingPair& pair : pairs)
-      for (const std::size_t body : {pair.a, pair.b}) touches[body] += movable(body) ? 1 : 0;
-    const auto sets = colour_pairs(pairs, world);
-    std::set<std::size_t> seen;
-    for (const auto& set : sets) {
-      std::set<std::size_t> taken;
-      std::size_t before = 4;
-      for (const TouchingPair& pair : set) {
-        CHECK(seen.insert(pair.first).second);
-        for (const std::size_t body : {pair.a, pair.b})
-          if (movable(body)) CHECK(taken.insert(body).second);
-        CHECK(pair.count <= before);
-        before = pair.count;
-      }
-    }
-    CHECK(seen.size() == pairs.size());
-    const int most = *std::max_element(touches.begin(), touches.end());
-    CHECK(sets.size() <= static_cast<std::size_t>(std::max(1, 2 * most - 1)));  // what a greedy choice never exceeds
-  }
 }
 
 TEST_CASE("wide: a body under more than 64 others: those beyond are solved one after the other") {
@@ -174,25 +134,6 @@ TEST_CASE("wide: what bounces goes, to rounding, as if it were detected in each 
   }
 }
 
-TEST_CASE("wide: what rests sleeps until it is hit, and moves in the same bits with what is called for") {
-  World world, needed;
-  for (World* each : {&world, &needed}) stack(*each, 3);
-  WideSolver<Real> solver;
-  OnlyWhatIsNeeded chosen(needed, AnySolver(solver));
-  for (int i = 0; i < 60; ++i) {
-    world.step(solver, h);
-    chosen.step(needed, h);
-    REQUIRE(hash_of(world) == hash_of(needed));
-  }
-  OnlyWhatIsNeeded resting(world, AnySolver(solver), Sleep{});
-  for (int i = 0; i < 120; ++i) resting.step(world, h);
-  for (const int box : {1, 2, 3}) CHECK(world.body(box).asleep);
-  world.add(sphere(Real(0.3), 50).at({-3, Real(0.5), 0}).moving({6, 0, 0}));
-  for (int i = 0; i < 30; ++i) resting.step(world, h);
-  CHECK_FALSE(world.bodies[1].asleep);
-  CHECK(world.bodies[1].position.x() > Real(0.01));
-}
-
 TEST_CASE(
     "wide: ten links that swing a hundredfold mass stretch by less than 0.1 mm in two substeps, and by h^2 in more") {
   const auto stretch = [](int substeps) {
@@ -214,42 +155,5 @@ TEST_CASE(
     CHECK(now < Real(1e-4));
     if (in_double && before > 0) CHECK(before / now == Approx(4).epsilon(0.1));
     before = now;
-  }
-}
-
-TEST_CASE("wide: joints are solved where they are, also after somebody has moved a body between two steps") {
-  World world;
-  world.add(box({Real(0.1), Real(0.3), Real(0.2)}, 1).at({0, 4, 0}));
-  world.add(box({Real(0.1), Real(0.3), Real(0.2)}, 1).at({0, 3, 0}).spinning({1, 2, 3}));
-  world.joints.push_back(ball_and_socket(world, the_world, 0, {0, Real(4.5), 0}));
-  world.joints.push_back(ball_and_socket(world, 0, 1, {0, Real(3.5), 0}));
-  WideSolver<Real> solver;
-  for (int step = 0; step < 20; ++step) {
-    Body& lower = world.bodies[1];
-    lower.turned(Real(0.5), Vec3::UnitX());
-    lower.position += Vec3(Real(0.1), 0, 0);
-    World copy = world;
-    WideSolver<Real> fresh;
-    world.step(solver, h);
-    copy.step(fresh, h);
-    REQUIRE(hash_of(world) == hash_of(copy));
-  }
-}
-
-TEST_CASE("wide: with chapter 14's joints, they move in the bits of chapter 21 where nothing touches") {
-  CHECK(WideSolver<Real>{}.supports_joints());  // as the refusal of joints says
-  World one_by_one, wide;
-  for (World* world : {&one_by_one, &wide}) {
-    world->add(box({Real(0.1), Real(0.3), Real(0.1)}, 1).at({0, 4, 0}));
-    world->add(box({Real(0.1), Real(0.3), Real(0.1)}, 1).at({0, 3, 0}).moving({1, 0, 0}));
-    world->joints.push_back(ball_and_socket(*world, the_world, 0, {0, Real(4.5), 0}));
-    world->joints.push_back(hinge(*world, 0, 1, {0, Real(3.5), 0}, Vec3::UnitZ()));
-  }
-  DetectedOnce of_one_by_one;
-  WideSolver<Real, SteadyJoints> of_wide;
-  for (int i = 0; i < 60; ++i) {
-    one_by_one.step(of_one_by_one, h);
-    wide.step(of_wide, h);
-    REQUIRE(hash_of(one_by_one) == hash_of(wide));
   }
 }

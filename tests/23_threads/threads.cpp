@@ -86,25 +86,6 @@ TEST_CASE("threads: every scene moves in the same bits with 1, 2, 3, 4 and 7 thr
   }
 }
 
-TEST_CASE("threads: a heap that falls keeps its bits for a second, in float and double") {
-  const auto compare = [](auto alone) {
-    using Solver = decltype(alone);
-    World one, two;
-    heap(one);
-    heap(two);
-    Solver shared;
-    shared.substeps = alone.substeps = 4;
-    shared.workers = std::make_shared<ThreadPool>(2);
-    for (int i = 0; i < 60; ++i) {
-      one.step(alone, h);
-      two.step(shared, h);
-      REQUIRE(bits_of(two) == bits_of(one));
-    }
-  };
-  compare(WideSolver<float>{});
-  compare(WideSolver<double>{});
-}
-
 TEST_CASE("threads: detection finds the same contacts in the same order, whoever looks") {
   World world;
   heap(world);

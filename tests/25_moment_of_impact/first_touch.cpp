@@ -1,9 +1,9 @@
 /// Chapter 25: how far apart, and when they first touch.
 #include "pushback/engine/half_step/first_touch.h"
 
-#include "pushback/common/bodies/random.h"
 #include "pushback/common/collision/collide.h"
 #include "pushback/engine/half_step/gap.h"
+#include "tests/support/any_shape.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
 
@@ -13,13 +13,6 @@ namespace {
 
 constexpr Real touching = in_double ? Real(1e-9) : Real(1e-4);
 
-/// A sphere, a box, a capsule or a hull of 0.1 to 1 m.
-Body any_body(Random& random) {
-  if (random.below(4) > 0) return random.body(1);
-  std::vector<Vec3> corners;
-  for (int i = 0; i < 8; ++i) corners.push_back(random.direction());
-  return hull(corners, 1).at(Vec3::Zero());
-}
 bool overlap(const Body& a, const Body& b) {
   Contacts found;
   collide(a, b, found);
@@ -32,7 +25,7 @@ Body shifted(const Body& body, const Vec3& by) {
 }
 /// Two bodies that are apart.
 std::pair<Body, Body> pair_apart(Random& random) {
-  Body a = any_body(random).at(random.vector(1)), b = any_body(random).at(Vec3(4, 0, 0) + random.vector(1));
+  Body a = any_shape(random).at(random.vector(1)), b = any_shape(random).at(Vec3(4, 0, 0) + random.vector(1));
   a.index = 0;
   b.index = 1;
   a.refresh_inertia();
@@ -69,7 +62,7 @@ TEST_CASE("impact: between round bodies and a plane, a gap is what collision det
   for (int i = 0; i < 500; ++i) {
     CAPTURE(i);
     Body plane = half_space(random.direction()).with_skin(Real(0.01));
-    Body a = any_body(random).at(random.vector(3)), b = sphere(random.between(Real(0.1), 1), 1).at(random.vector(3));
+    Body a = any_shape(random).at(random.vector(3)), b = sphere(random.between(Real(0.1), 1), 1).at(random.vector(3));
     plane.index = 0, a.index = 1, b.index = 2;
     Contacts found;
     const auto deepest = [&](const Body& p, const Body& q) {
@@ -115,18 +108,6 @@ TEST_CASE("impact: the first root is one, and none is before it") {
   }
 }
 
-TEST_CASE("impact: a ball that falls touches the ground when the closed form says so") {
-  // h - v t - g t^2 / 2 = 0
-  const Body plane = ground();
-  for (const Real down : {Real(0), Real(3), Real(-4)}) {
-    const Body ball = sphere(Real(0.5), 1).at({0, Real(2.5), 0}).moving({1, -down, 0});
-    Flight still(plane, Vec3::Zero(), Vec3::Zero(), 10), falls(ball, {0, -g, 0}, Vec3::Zero(), 10);
-    const auto touch = first_touch(still, falls, 10, touching);
-    REQUIRE(touch);
-    CHECK(*touch == Approx((std::sqrt(down * down + 4 * g) - down) / g).epsilon(in_double ? 1e-9 : 1e-4));
-  }
-}
-
 TEST_CASE("impact: two balls touch when the closed form says so, however they graze") {
   // |x + v t| = R
   Random random(28);
@@ -150,75 +131,40 @@ TEST_CASE("impact: two balls touch when the closed form says so, however they gr
 
 TEST_CASE("impact: when two bodies are found to touch they do, and they have not overlapped before") {
   if (!in_double) return;  // a turn in a time so short is rounding in floats
-  Random random(29);
-  int met = 0;
-  for (int i = 0; i < 600; ++i) {
-    CAPTURE(i);
-    auto [a, b] = pair_apart(random);
-    a.moving(random.vector(2)).spinning(random.vector(6));
-    b.moving(Vec3(-150, 0, 0) + random.vector(20)).spinning(random.vector(20));
-    constexpr Real within = Real(1) / 30;
-    Flight of_a(a, random.vector(10), random.vector(3), within), of_b(b, random.vector(10), random.vector(3), within);
-    const auto touch = first_touch(of_a, of_b, within, touching);
-    if (touch) CHECK(std::abs(gap_between(of_a.at(*touch), of_b.at(*touch)).distance) <= 2 * touching);
-    met += touch.has_value();
-    const Real until = touch.value_or(within);
-    for (int k = 0; k < 400; ++k)
-      REQUIRE_FALSE(overlap(of_a.at(until * static_cast<Real>(k) / 400), of_b.at(until * static_cast<Real>(k) / 400)));
-  }
-  CHECK(met > 200);
-}
-
-TEST_CASE("impact: bodies that turn fast and hardly move have not overlapped before they touch") {
-  if (!in_double) return;  // a turn in a time so short is rounding in floats
-  Random random(30);
-  int met = 0, given_up = 0;
-  for (int i = 0; i < 300; ++i) {
-    CAPTURE(i);
-    auto [a, b] = pair_apart(random);
-    const Gap gap = gap_between(a, b);
-    b.position -= random.between(Real(0.95), 1) * gap.distance * gap.normal;
-    a.spinning(random.vector(25));
-    b.moving(random.vector(1)).spinning(random.vector(25));
-    constexpr Real within = Real(1) / 30;
-    Flight of_a(a, Vec3::Zero(), Vec3::Zero(), within), of_b(b, Vec3::Zero(), Vec3::Zero(), within);
-    const auto touch = first_touch(of_a, of_b, within, touching);
-    if (touch) {
-      const Real gap_left = std::abs(gap_between(of_a.at(*touch), of_b.at(*touch)).distance);
-      CHECK(gap_left < 100 * touching);
-      given_up += gap_left > 2 * touching;  // after the most rounds
+  constexpr Real within = Real(1) / 30;
+  for (const bool hardly_moving : {false, true}) {  // but turning fast, and close to each other
+    Random random(hardly_moving ? 30 : 29);
+    int met = 0, given_up = 0;
+    for (int i = 0; i < (hardly_moving ? 300 : 600); ++i) {
+      CAPTURE(hardly_moving, i);
+      auto [a, b] = pair_apart(random);
+      Vec3 a_gains = Vec3::Zero(), b_gains = a_gains, a_turns = a_gains, b_turns = a_gains;
+      if (hardly_moving) {
+        const Gap gap = gap_between(a, b);
+        b.position -= random.between(Real(0.95), 1) * gap.distance * gap.normal;
+        a.spinning(random.vector(25));
+        b.moving(random.vector(1)).spinning(random.vector(25));
+      } else {
+        a.moving(random.vector(2)).spinning(random.vector(6));
+        b.moving(Vec3(-150, 0, 0) + random.vector(20)).spinning(random.vector(20));
+        a_gains = random.vector(10), a_turns = random.vector(3), b_gains = random.vector(10),
+        b_turns = random.vector(3);
+      }
+      Flight of_a(a, a_gains, a_turns, within), of_b(b, b_gains, b_turns, within);
+      const auto touch = first_touch(of_a, of_b, within, touching);
+      if (touch) {
+        const Real left = std::abs(gap_between(of_a.at(*touch), of_b.at(*touch)).distance);
+        CHECK(left < Real(hardly_moving ? 100 : 2) * touching);
+        given_up += left > 2 * touching;  // after the most rounds
+      }
+      met += touch.has_value();
+      const Real until = touch.value_or(within);
+      for (int k = 0; k < 400; ++k)
+        REQUIRE_FALSE(
+            overlap(of_a.at(until * static_cast<Real>(k) / 400), of_b.at(until * static_cast<Real>(k) / 400)));
     }
-    met += touch.has_value();
-    const Real until = touch.value_or(within);
-    for (int k = 0; k < 400; ++k)
-      REQUIRE_FALSE(overlap(of_a.at(until * static_cast<Real>(k) / 400), of_b.at(until * static_cast<Real>(k) / 400)));
-  }
-  CHECK(met > 50);
-  CHECK(given_up <= met / 20);
-}
-
-TEST_CASE("impact: a rod that turns as it leaves the ground is down again when a search in small steps says so") {
-  if (!in_double) return;  // a turn in a time so short is rounding in floats
-  Random random(31);
-  const Body plane = ground();
-  for (int i = 0; i < 100; ++i) {
-    CAPTURE(i);
-    Body rod = capsule(Real(0.05), Real(0.5), 1).turned(random.between(Real(0.3), Real(1.2)), Vec3::UnitZ());
-    rod.at({0, Real(0.05) + Real(0.5) * (rod.orientation * Vec3::UnitY()).y(), 0});
-    rod.spinning({0, 0, random.between(3, 30)});
-    const Vec3 lower = -Real(0.5) * (rod.orientation * Vec3::UnitY());
-    rod.moving({0, random.between(Real(0.02), Real(0.5)) - rod.angular_velocity.cross(lower).y(), 0});
-    rod.refresh_inertia();
-    constexpr Real within = Real(1) / 30;
-    Flight still(plane, Vec3::Zero(), Vec3::Zero(), within), flies(rod, {0, -g, 0}, Vec3::Zero(), within);
-    const auto touch = first_touch(still, flies, within, touching);
-    constexpr int samples = 10000;
-    int down = 10;
-    while (down < samples &&
-           gap_between(plane, flies.at(within * static_cast<Real>(down) / samples)).distance > touching)
-      ++down;
-    CHECK(touch.has_value() == (down < samples));
-    if (touch) CHECK(*touch == Approx(within * static_cast<Real>(down) / samples).margin(2 * within / samples));
+    CHECK(met > (hardly_moving ? 50 : 200));
+    CHECK(given_up <= met / 20);
   }
 }
 

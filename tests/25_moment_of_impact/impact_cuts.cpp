@@ -5,7 +5,6 @@
 #include "pushback/chapters/25_moment_of_impact/plain.h"
 #include "pushback/chapters/25_moment_of_impact/scenes.h"
 #include "pushback/common/bodies/random.h"
-#include "pushback/common/world/any_solver.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
 #include "pushback/engine/half_step/gap.h"
@@ -22,9 +21,6 @@ namespace {
 Real error_of_cut(const std::string& name) {
   const Motion& motion = motion_named(name);
   return largest_error(motion, motion.truth(motion.frames()), in_substeps(1, at_impacts()));
-}
-Real all_energy(const World& world) {
-  return kinetic_energy(world) + potential_energy(world);
 }
 /// Balls of 1 kg in a row along x, with this much between them; the first one comes with 5 m/s. No gravity.
 World row_of_balls(int count, Real gap, Real e) {
@@ -183,27 +179,6 @@ TEST_CASE("impact: balls in a box keep their energy, e = 1, and none gets out") 
   }
   CHECK(events > 200);
   CHECK(kinetic_energy(world) == Approx(begin).epsilon(in_double ? 1e-9 : 1e-3));
-}
-
-TEST_CASE("impact: a heap of anything gains no energy, cut or not") {
-  for (const auto& [seed, solver] :
-       {std::pair<std::uint64_t, AnySolver>{2, at_impacts()}, {5, at_impacts()}, {5, HalfStep{}}}) {
-    Random random(seed);
-    World world;
-    world.add(ground());
-    for (int i = 0; i < 6; ++i)
-      world.add(random.body(10).at({random.between(-1, 1), Real(1.5) + Real(4.2) * static_cast<Real>(i), 0}));
-    AnySolver step = solver;
-    const Real begin = all_energy(world);
-    Real before = begin;
-    for (int i = 0; i < 180; ++i) {
-      world.step(step, h);
-      const Real now = all_energy(world);
-      CHECK(now - before < Real(1e-4) * begin);
-      before = now;
-    }
-    CHECK(before < begin / 2);
-  }
 }
 
 TEST_CASE("impact: with no events allowed it is a half step, and says so") {

@@ -147,6 +147,7 @@ TEST_CASE("by island: what flies is on its parabola, and keeps its angular momen
 
 TEST_CASE("by island: an island moves in the same bits whatever other islands there are, in whatever order") {
   constexpr int steps = 120;
+  const Real error = GENERATE(std::numeric_limits<Real>::infinity(), Real(1e-4));
   const auto place = [](std::size_t part) { return 20 * static_cast<Real>(part); };
   std::vector<std::vector<std::vector<std::uint64_t>>> alone;  // of each part, each body
   for (std::size_t i = 0; i < std::size(parts); ++i) {
@@ -154,6 +155,7 @@ TEST_CASE("by island: an island moves in the same bits whatever other islands th
     world.add(ground());
     parts[i].add(world, place(i));
     IslandSolver solver;
+    solver.error = error;
     for (int step = 0; step < steps; ++step) world.step(solver, h);
     auto& states = alone.emplace_back();
     for (std::size_t body = 1; body < world.bodies.size(); ++body) states.push_back(state_of(world.bodies[body]));
@@ -161,7 +163,7 @@ TEST_CASE("by island: an island moves in the same bits whatever other islands th
   Random random(26);
   std::vector<std::size_t> order(std::size(parts));
   std::iota(order.begin(), order.end(), 0);
-  for (int round = 0; round < 8; ++round) {
+  for (int round = 0; round < 4; ++round) {
     World world;
     world.add(ground());
     std::vector<std::size_t> begins;
@@ -171,6 +173,7 @@ TEST_CASE("by island: an island moves in the same bits whatever other islands th
       parts[order[k]].add(world, place(order[k]));
     }
     IslandSolver solver;
+    solver.error = error;
     for (int step = 0; step < steps; ++step) world.step(solver, h);
     for (std::size_t k = 0; k < count; ++k)
       for (std::size_t body = 0; body < alone[order[k]].size(); ++body) {
@@ -217,27 +220,6 @@ TEST_CASE("by island: one that bounces comes upon another within the step, and d
   CHECK(world.bodies[1].position.x() == Approx(Real(0.1) + 1 - Real(0.04)).epsilon(1e-6));
   CHECK(world.bodies[2].position.x() == Approx(Real(0.1) + 1 - Real(0.01) + Real(0.2)).epsilon(1e-6));
   for (const int ball : {1, 2}) CHECK(world.bodies[std::size_t(ball)].velocity.x() == Approx(6).epsilon(1e-6));
-}
-
-TEST_CASE(
-    "by island: what a belt's end pushes or what goes round a curve is left to substeps, what lies on a lift is not") {
-  const Body small = box({Real(0.2), Real(0.1), Real(0.2)}, 5);
-  World world;
-  world.add(ground());
-  const auto put = [&](const Body& on, const Vec3& where) {
-    world.add(on);
-    return world.add(Body(small).at(where));
-  };
-  const Body slab = box({1, Real(0.1), 1}, 1).fixed();
-  const int pushed = put(Body(slab).at({-1, Real(0.1), 0}).conveying({2, 0, 0}), {Real(0.2), Real(0.1), 0}),
-            lifted = put(Body(slab).at({9, Real(0.1), 0}).moving({0, 1, 0}), {9, Real(0.3), 0}),
-            turned = put(Body(slab).at({18, Real(0.1), 0}).conveying(Vec3::Zero()).spinning({0, 1, 0}),
-                         {18, Real(0.3), Real(0.5)}),
-            carried = put(Body(slab).at({27, Real(0.1), 0}).conveying({2, 0, 0}), {27, Real(0.3), 0});
-  IslandSolver solver;
-  world.step(solver, h);
-  for (const int body : {pushed, turned}) CHECK(solver.step_of(body) == StepType::substeps);
-  for (const int body : {lifted, carried}) CHECK(solver.step_of(body) == StepType::half_steps);
 }
 
 TEST_CASE("by island: joints come back in their order, with what they bore") {
@@ -313,22 +295,6 @@ TEST_CASE("by island: contacts are detected again where bodies tumble, so a heap
   UNSCOPED_INFO("mm, detected once and again: " << 1000 * once << ", " << 1000 * again);
   CHECK(again < once / 2);
   CHECK(again < Real(0.03));
-}
-
-TEST_CASE("by island: where contacts are detected again, who has a step of its own is pushed by nobody") {
-  // Two boxes that overlap too far for half steps, and spin. The end of the long one, whose middle is pinned, swings to a ball
-  // within the step; where nothing is joined, it would be seen before.
-  World world;
-  world.gravity.setZero();
-  world.add(box({Real(1.5), Real(0.1), Real(0.1)}, 10).spinning({0, 0, 30}));
-  world.add(box(Vec3::Constant(Real(0.1)), 10).at({0, 0, Real(0.19)}).spinning({0, 0, 30}));
-  world.add(sphere(Real(0.1), 10).at({Real(1.4) * std::cos(Real(0.3)), Real(1.4) * std::sin(Real(0.3)), 0}));
-  world.joints.push_back(ball_and_socket(world, the_world, 0, Vec3::Zero()));
-  IslandSolver solver;
-  world.step(solver, h);
-  REQUIRE(solver.step_of(0) == StepType::substeps);
-  REQUIRE(solver.step_of(2) == StepType::flight);
-  CHECK(world.bodies[2].velocity == Vec3::Zero());
 }
 
 TEST_CASE("by island: the end of a rod that spins meets what its middle never comes near, at its instant") {

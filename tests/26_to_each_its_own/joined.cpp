@@ -1,6 +1,5 @@
 /// Chapter 26: bodies that are joined and meet something, by half steps.
 #include "pushback/chapters/13_joints/hinge.h"
-#include "pushback/chapters/13_joints/weld.h"
 #include "pushback/chapters/24_half_step/on_floor.h"
 #include "pushback/chapters/25_moment_of_impact/scenes.h"
 #include "pushback/common/bodies/random.h"
@@ -13,29 +12,6 @@
 using namespace pushback;
 
 namespace {
-
-/// The largest |C|, m or rad.
-Real parted(const World& world) {
-  Real largest = 0;
-  Equations equations;
-  for (const Joint& joint : world.joints)
-    joint.ask(body_of(world, joint.a), body_of(world, joint.b), {world.time, h}, equations);
-  for (const Equation& equation : equations) largest = std::max(largest, std::abs(equation.error));
-  return largest;
-}
-Real deepest(World world) {
-  world.find_contacts();
-  return deepest_overlap(world);
-}
-
-/// Two boxes of 1 m and 3 kg beside each other, on the ground.
-World welded_boxes() {
-  World world;
-  world.add(ground());
-  for (const Real x : {Real(-0.5), Real(0.5)}) world.add(box(Vec3::Constant(Real(0.5)), 3).at({x, Real(0.5), 0}));
-  world.joints.push_back(weld(world, 1, 2, {0, Real(0.5), 0}));
-  return world;
-}
 
 /// What falls, swings or is thrown, in a few bodies that are joined, and what it may meet. All of it drawn.
 using Drawn = void (*)(World&, Random&);
@@ -64,14 +40,6 @@ void chain_over_floor(World& world, Random& random) {
     before = body;
     end += length * along;
   }
-}
-void chain_over_slope(World& world, Random& random) {
-  chain_over_floor(world, random);
-  const Real angle = random.between(Real(0.05), Real(0.6));
-  world.gravity = World::g * Vec3(std::sin(angle), -std::cos(angle), 0);
-  const Vec3 thrown(random.between(-1, 3), 0, random.between(-1, 1));
-  for (Body& body : world.bodies)
-    if (body.movable()) body.velocity = thrown;
 }
 void pendulum_beside_wall(World& world, Random& random) {
   const Real mu = random.below(2) == 0 ? 0 : random.between(0, 1), e = random.between(0, 1);
@@ -104,25 +72,6 @@ void door_and_stop(World& world, Random& random) {
   const Vec3 stop(reach * std::cos(angle), random.between(Real(-0.8), Real(0.8)), -reach * std::sin(angle));
   world.add(sphere(Real(0.06), 1).fixed().at(stop).rough(mu).bouncy(e));
 }
-void striker(World& world, Random& random) {
-  const Real mu = random.between(Real(0.1), 1), e = random.between(0, Real(0.9)), length = random.between(1, 2);
-  const Real angle = random.between(Real(-1.4), Real(-0.6)), radius = Real(0.2);
-  const Vec3 pin(0, length + 2 * radius + Real(0.05), 0), along(std::sin(angle), -std::cos(angle), 0);
-  world.add(ground().rough(mu).bouncy(e));
-  world.add(box({Real(0.03), length / 2, Real(0.03)}, 1)
-                .turned(angle, Vec3::UnitZ())
-                .at(pin + length / 2 * along)
-                .rough(mu)
-                .bouncy(e));
-  world.add(sphere(radius, random.over_decades(1, 50)).at(pin + (length + radius) * along).rough(mu).bouncy(e));
-  world.joints.push_back(ball_and_socket(world, the_world, 1, pin));
-  world.joints.push_back(ball_and_socket(world, 1, 2, pin + length * along));
-  world.add(box(Vec3::Constant(radius), random.over_decades(1, 30))
-                .at({random.between(Real(0.45), Real(0.65)), radius, 0})
-                .rough(mu)
-                .bouncy(e));
-}
-
 }  // namespace
 
 TEST_CASE("joined, by island: who is joined to what it overlaps does not meet it, however fast") {
@@ -145,9 +94,9 @@ TEST_CASE("joined, by island: of scenes that nobody has looked at none gains ene
   if (!in_double) return;
   int by_half_steps = 0, by_substeps = 0;
   int family = 0;
-  for (const Drawn& draw : {chain_over_floor, chain_over_slope, pendulum_beside_wall, door_and_stop, striker}) {
+  for (const Drawn& draw : {chain_over_floor, pendulum_beside_wall, door_and_stop}) {
     ++family;
-    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
       CAPTURE(family, seed);
       Random random(seed + 2600);
       World world;
@@ -168,9 +117,8 @@ TEST_CASE("joined, by island: of scenes that nobody has looked at none gains ene
           CAPTURE(i, solver.half_steps_of(1), overlap, world.contacts.size());
           const Real least = std::max(motion, kinetic_energy(world)) + mass * (h * world.gravity).squaredNorm() / 2;
           // What overlaps comes out: no farther than it was in, at each of a few contacts.
-          if (draw != striker)  // there the box has half steps by itself as well, whose energy nobody looks at
-            CHECK(energy(world) - begin <= solver.energy * least + 12 * mass * g * overlap + 1e-12);
-          CHECK(parted(world) <= 1e-9);
+          CHECK(energy(world) - begin <= solver.energy * least + 12 * mass * g * overlap + 1e-12);
+          CHECK(residuals(world).position <= 1e-9);
         }
         if (now && before) CHECK(deepest(world) <= std::max(overlap, Real(0.003)));
         before = now;
@@ -179,22 +127,4 @@ TEST_CASE("joined, by island: of scenes that nobody has looked at none gains ene
   }
   INFO(by_half_steps << " steps by half steps, " << by_substeps << " by substeps");
   CHECK(by_half_steps > 3000);
-}
-
-TEST_CASE("joined, by island: who cannot be held has substeps, and half steps again once they are allowed enough") {
-  World world = welded_boxes();
-  IslandSolver solver;
-  solver.joint_half_step.most_work = 1;  // for nothing
-  for (int i = 0; i < 100; ++i) {
-    world.step(solver, h);
-    for (const int box : {1, 2}) CHECK(solver.step_of(box) == StepType::substeps);
-    CHECK(std::abs(world.bodies[1].position.y() - Real(0.5)) < Real(0.001));
-  }
-  solver.joint_half_step.most_work = 1e7;
-  int since = 0;
-  for (int i = 0; i < 300; ++i) {
-    world.step(solver, h);
-    since = solver.step_of(1) == StepType::half_steps ? since + 1 : 0;
-  }
-  CHECK(since > 100);
 }

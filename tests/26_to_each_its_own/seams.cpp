@@ -5,6 +5,7 @@
 #include "pushback/common/world/measure.h"
 #include "pushback/engine/islands/island_solver.h"
 #include "tests/support/catch.h"
+#include "tests/support/tiles.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;
@@ -20,14 +21,7 @@ TEST_CASE("by island: a capsule that rolls over the seams of tiles gains no ener
     const Vec3 from(from_x, 0, from_z);
     const Vec3 along(std::cos(heading), 0, std::sin(heading)), axis = Vec3::UnitY().cross(along);
     World world;
-    for (int x = -24; x <= 24; ++x) {
-      for (int z = -24; z <= 24; ++z) {
-        const Vec3 at(2 * tile * static_cast<Real>(x), -tile, 2 * tile * static_cast<Real>(z)), there = at - from;
-        const Real ahead = there.dot(along), beside = (Vec3(there.x(), 0, there.z()) - ahead * along).norm();
-        if (ahead > -1 && ahead < 13 && beside < Real(1.2))
-          world.add(box(Vec3::Constant(tile), 1).fixed().at(at).rough(Real(0.2)));
-      }
-    }
+    add_tiles(world, tile, from, along, 13, Real(1.2), Real(0.2));
     Body body = capsule(radius, Real(0.3), 10);
     body.oriented(Quat::FromTwoVectors(Vec3::UnitY(), Vec3(-axis)));
     body.at(from + Vec3(0, radius - Real(1e-5), 0)).moving(speed * along).spinning(speed / radius * axis);

@@ -95,30 +95,6 @@ TEST_CASE("by island: stacks have half steps all the time, and rest") {
     for (int start = 1; start <= 3; ++start) rests(boxes, start);
 }
 
-TEST_CASE("by island: stacks have half steps all the time, and rest, from thirty starts", "[long]") {
-  for (const int boxes : {10, 40})
-    for (int start = 1; start <= 30; ++start) rests(boxes, start);
-}
-
-TEST_CASE("by island: a heap that tumbles has substeps") {
-  World world = falling_heap();
-  IslandSolver solver;
-  int tumble = 0, rest = 0;
-  for (int i = 0; i < 120; ++i) {
-    const std::vector<Body> before = world.bodies;
-    world.step(solver, h);
-    StepClassifier islands = solver.classifier();
-    for (const Body& body : before) {
-      if (!body.movable() || !islands.many_contacts(islands.island_of(body.index))) continue;
-      const bool turns = body.angular_velocity.norm() * h > solver.limits.turn;
-      (turns ? tumble : rest) += 1;
-      if (turns) CHECK(solver.step_of(body.index) == StepType::substeps);
-    }
-  }
-  CHECK(tumble > 1000);
-  CHECK(rest > 1000);
-}
-
 TEST_CASE("by island: what half steps take of a heap that falls and comes to rest is bounded by what substeps take") {
   World world = falling_heap();
   IslandSolver solver;

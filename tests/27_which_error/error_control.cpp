@@ -47,53 +47,6 @@ IslandSolver by_substeps_alone(Real error) {
 
 }  // namespace
 
-TEST_CASE("within an error: Runge's estimate of a step is what the step is off, for the ten motions", "[checked]") {
-  int smooth = 0;
-  std::vector<std::string> others;
-  for (const Motion& motion : all_motions())
-    for (const Real error : {Real(1e-3), Real(1e-5)}) {
-      World world;
-      motion.begin(world);
-      IslandSolver solver = within(error);
-      solver.check_every = 1;
-      const bool joints = !world.joints.empty();
-      const bool decides = motion.name == "sliding" || motion.name == "rolling";  // once, in one of their steps
-      for (int frame = 0; frame < motion.frames(); ++frame) {
-        World truth = world;
-        world.step(solver, h);
-        int substeps = 0;
-        for (const Body& body : world.bodies) substeps = std::max(substeps, solver.error_of(body.index).substeps);
-        if (substeps == 0 || (frame % 12 != 3 && !decides)) continue;
-        HalfStep step = joints ? composed() : at_impacts(Impacts::sequential);
-        static_cast<HalfStepSettings&>(step) = joints ? solver.joint_half_step : solver.contact_half_step;
-        step.substeps = (joints ? 16 : 64) * substeps;  // each of fourth order is five
-        step.tolerance = Real(1e-12);
-        step.most_work = 1e12;
-        truth.step(step, h);
-        const auto [off, body] = farthest_in_half_a_second(world, truth);
-        const BodyError known = solver.error_of(body);
-        constexpr Real rounding =
-            Real(2e-9);  // m: of 64 times as many half steps, in places and in half a second of speed
-        if (off < rounding && known.step < rounding) continue;
-        const Real ratio = known.step / off;
-        if (ratio > Real(0.5) && ratio < 3) {
-          ++smooth;
-          if (known.order == 2) CHECK(ratio == Approx(1).epsilon(0.05));
-        } else
-          others.push_back(fmt::format("{} at {:.3g} s, order {}, {} substeps: known {:.2g} m, is {:.2g} m",
-                                       motion.name, static_cast<double>(frame) / 60, known.order, known.substeps,
-                                       known.step, off));
-      }
-    }
-  for (const std::string& other : others) UNSCOPED_INFO(other);
-  UNSCOPED_INFO(smooth << " smooth steps");
-  CHECK(smooth >= 32);
-  // The step in which a box comes to rest, and that in which a ball begins to roll: each within both errors.
-  CHECK(others.size() <= 4);
-  for (const std::string& other : others)
-    CHECK((other.starts_with("sliding at 1.2") || other.starts_with("rolling at 0.5")));
-}
-
 TEST_CASE("within an error: of the ten motions each error is kept, and what is known bounds what is off") {
   for (const Motion& motion : all_motions()) {
     const std::vector<Places> truth = motion.truth(motion.frames());
@@ -118,21 +71,6 @@ TEST_CASE("within an error: an infinite one is chapter 26, to the bit") {
     world.step(solver, h);
     by_island.step(other, h);
     REQUIRE(hash_of(world) == hash_of(by_island));
-  }
-}
-
-TEST_CASE("within an error: what one island is known to need is nothing to another: alone it moves in the same bits") {
-  World alone = pendulum(1), both;
-  Chain{.pin = {20, 0, 0}}(both);
-  const int ball = both.add(sphere(Real(0.3), 10).at(alone.bodies[0].position));
-  both.joints.push_back(ball_and_socket(both, the_world, ball, Vec3::Zero()));
-  IslandSolver of_one = within(Real(1e-4)), of_both = of_one;
-  for (int i = 0; i < 240; ++i) {
-    alone.step(of_one, h);
-    both.step(of_both, h);
-    REQUIRE(both.body(ball).position == alone.bodies[0].position);
-    REQUIRE(of_both.error_of(ball).substeps == of_one.error_of(0).substeps);
-    REQUIRE(of_both.error_of(ball).order == of_one.error_of(0).order);
   }
 }
 
@@ -222,23 +160,6 @@ TEST_CASE("within an error: a stack on springs has sunk by the sum of its depths
   WideSolver<Real> springs;
   world.step(springs, h);
   CHECK(sunken(world, all) == 0);
-}
-
-TEST_CASE("within an error: a pyramid that settles on springs stays within it, and by what it has sunk is known") {
-  World world;
-  pyramid(world, 12);
-  const World begun = world;
-  IslandSolver solver;
-  solver.error = Real(1e-3);
-  solver.budget.at_first = solver.budget.fraction = 0;  // no half steps
-  const int top = world.bodies.back().index;
-  const auto off = [&](int body) { return (world.body(body).position - begun.body(body).position).norm(); };
-  for (int i = 0; i < 60; ++i) {
-    world.step(solver, h);
-    REQUIRE(solver.step_of(top) == StepType::substeps);
-    for (const Body& body : world.bodies) CHECK(off(body.index) <= solver.error);
-    CHECK(sunken(world, [](int) { return true; }) == Approx(off(top)).epsilon(0.25));
-  }
 }
 
 TEST_CASE("within an error: what two carry unequally has sunk by the mean of both, each by its part of the load") {

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <functional>
-
 #include "pushback/chapters/19_accuracy_and_time/true_places.h"
 #include "pushback/engine/islands/island_solver.h"
 #include "tests/support/yardstick.h"
@@ -16,17 +14,6 @@ inline IslandSolver within(Real error) {
   solver.substep_solver.threshold = solver.contact_half_step.threshold = 0;  // bounces are compared at every speed
   solver.error = error;
   return solver;
-}
-
-/// m, with its body: by which places are off, and what the speeds make of it in half a second.
-inline std::pair<Real, int> farthest_in_half_a_second(const World& world, const World& truth) {
-  std::pair<Real, int> farthest{-1, 0};
-  for (const Body& body : world.bodies) {
-    const Body& true_body = truth.body(body.index);
-    const Real off = (body.position - true_body.position).norm() + (body.velocity - true_body.velocity).norm() / 2;
-    if (body.movable() && off > farthest.first) farthest = {off, body.index};
-  }
-  return farthest;
 }
 
 /// m.

@@ -103,34 +103,6 @@ TEST_CASE("within an error: chains let go at any angles, of which some whip so t
   }
 }
 
-TEST_CASE("within an error: boxes that slide down slopes, and stop") {
-  Tallies tallies;
-  Random random(27);
-  for (int i = 0; i < 60; ++i) {
-    const Real angle = random.between(0, Real(0.6)), mu = std::tan(angle) + random.between(Real(0.1), Real(0.7));
-    const Real speed = random.between(1, 5), height = random.between(Real(0.1), Real(0.25));
-    const Vec3 out(std::sin(angle), std::cos(angle), 0), down(std::cos(angle), -std::sin(angle), 0);
-    World world;
-    world.add(half_space(out).rough(mu));
-    world.add(box({Real(0.5), height, Real(0.5)}, random.over_decades(1, 1000))
-                  .turned(-angle, Vec3::UnitZ())
-                  .at(height * out)
-                  .moving(speed * down)
-                  .rough(mu));
-    const double slows = truth::g * double(mu * std::cos(angle) - std::sin(angle));
-    std::vector<Places> truth;
-    for (int frame = 1; frame <= 120; ++frame) {
-      truth.push_back(places_of(world));
-      truth.back()[1] += truth::way_of_sliding(double(speed), slows, frame / 60.0) * down.cast<double>();
-    }
-    play(world, truth, tallies);
-  }
-  for (const Tally& tally : tallies) {
-    INFO(tally.words());
-    CHECK(tally.kept == 60);
-  }
-}
-
 TEST_CASE("within an error: balls on a billiard table") {
   Tallies tallies;
   Random random(29);

@@ -1,5 +1,4 @@
 /// What a program does to World::bodies and World::joints by hand: it works, or it is refused by name before anything has moved.
-#include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/14_joints_under_load/jointed_solver.h"
 #include "pushback/common/world/measure.h"
@@ -131,7 +130,7 @@ TEST_CASE("by hand: an orientation of unit length is taken, and the inertia foll
     world.step(solver, h);
     return hash_of(world);
   };
-  FullSolver full;
+  JointedSolver full;
   Recommended recommended;
   Fast fast;
   for (StepSolver* solver : std::initializer_list<StepSolver*>{&full, &recommended, &fast})
@@ -150,7 +149,7 @@ TEST_CASE("by hand: a body is removed from a stack under every preset, and the r
     CHECK(world.bodies[4].position.y() == Approx(1.0).epsilon(0.01));  // down by one
     CHECK(world.bodies[6].position.y() == Approx(1.8).epsilon(0.01));
   };
-  FullSolver full;
+  JointedSolver full;
   Recommended recommended;
   Fast fast;
   for (StepSolver* solver : std::initializer_list<StepSolver*>{&full, &recommended, &fast}) remove(*solver);

@@ -19,8 +19,6 @@ using namespace pushback;
 
 namespace {
 
-// ---- tools --------------------------------------------------------------------------------------------------------
-
 constexpr Real tight = 1000 * eps;  // 2e-13 in double, 1e-4 in float: for lengths of about 1 m
 
 constexpr std::uint64_t seed = 20240607;
@@ -166,8 +164,6 @@ Real area_of(Contacts contacts) {
 
 }  // namespace
 
-// ---- closed forms -------------------------------------------------------------------------------------------------
-
 TEST_CASE("shapes that touch in a known way: how many points, where, how deep, along which normal") {
   const Real root = std::sqrt(Real(2)), three = std::sqrt(Real(3)), half = Real(0.5);
   const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ(), slanted(Real(0.6), Real(0.8), 0);
@@ -180,158 +176,79 @@ TEST_CASE("shapes that touch in a known way: how many points, where, how deep, a
   const auto at = [](Body body, const Vec3& where) { return body.at(where); };
   const auto turned = [](Body body, Real angle, const Vec3& axis) { return body.turned(angle, axis); };
   const Body lying_pill = turned(pill, pi / 2, z), short_pill = capsule(half, 1, 1);
-  struct Known {
-    const char* what;
-    Body a, b;
-    Vec3 normal;
-    Real depth;
-    std::vector<Vec3> points;
-  };
-  const std::vector<Known> all{
-      // radii of 2 m and 1 m, 2 m apart: surfaces at 2 m and at 1 m
-      {"two spheres",
-       at(sphere(2, 1), {1, 1, 1}),
-       at(sphere(1, 1), {Real(2.6), 1, Real(2.2)}),
-       {Real(0.8), 0, Real(0.6)},
-       1,
-       {{Real(2.2), 1, Real(1.9)}}},
-      {"a sphere in a slanted half-space",
-       at(half_space({0, 3, 4}), {0, 0, 10}),
-       at(sphere(2, 1), {5, Real(0.9), Real(11.2)}),
-       {0, Real(0.6), Real(0.8)},
-       half,
-       {{5, Real(-0.15), Real(9.8)}}},
-      {"a box on a half-space",
-       at(crate, {10, Real(1.9), 20}),
-       floor,
-       -y,
-       Real(0.1),
-       {{9, Real(-0.05), 17}, {11, Real(-0.05), 17}, {9, Real(-0.05), 23}, {11, Real(-0.05), 23}}},
-      {"a box on an edge of its own",
-       floor,
-       at(turned(cube, pi / 4, z), {0, root - Real(0.01), 0}),
-       y,
-       Real(0.01),
-       {{0, Real(-0.005), -1}, {0, Real(-0.005), 1}}},
-      {"a box on a corner of its own",
-       floor,
-       at(Body(cube).oriented(on_corner), {0, three - Real(0.01), 0}),
-       y,
-       Real(0.01),
-       {{0, Real(-0.005), 0}}},
-      {"a capsule that lies",
-       floor,
-       at(lying_pill, {0, Real(0.4), 0}),
-       y,
-       Real(0.1),
-       {{-2, Real(-0.05), 0}, {2, Real(-0.05), 0}}},
-      {"a capsule that stands", floor, at(pill, {0, Real(2.4), 0}), y, Real(0.1), {{0, Real(-0.05), 0}}},
-      {"a sphere at a face of a box",
-       crate,
-       at(sphere(half, 1), {Real(1.4), 1, 1}),
-       x,
-       Real(0.1),
-       {{Real(0.95), 1, 1}}},
-      {"a sphere at an edge of a box",
-       crate,
-       at(sphere(1, 1), {Real(1.3), Real(2.4), 1}),
-       slanted,
-       half,
-       {{Real(0.85), Real(1.8), 1}}},
-      // 0.2, 0.3, 0.6 off the corner: 0.7 m away
-      {"a sphere at a corner of a box",
-       crate,
-       at(sphere(Real(0.8), 1), {Real(1.2), Real(2.3), Real(3.6)}),
-       Vec3(2, 3, 6) / 7,
-       Real(0.1),
-       {Vec3(1, 2, 3) - Real(0.05) * Vec3(2, 3, 6) / 7}},
-      // its centre is 0.3 m below the face: surfaces at 1 m and at 0.2 m
-      {"a sphere in a box", crate, at(sphere(half, 1), {Real(0.7), 1, -1}), x, Real(0.8), {{Real(0.6), 1, -1}}},
-      {"a sphere beside a capsule", pill, at(sphere(1, 1), {Real(1.2), 1, 0}), x, Real(0.3), {{Real(0.35), 1, 0}}},
-      {"a sphere beyond the end of a capsule",
-       at(sphere(1, 1), {Real(0.6), Real(2.8), 0}),
-       pill,
-       -slanted,
-       half,
-       {{Real(0.15), Real(2.2), 0}}},
-      {"capsules that cross", pill, at(lying_pill, {1, 1, Real(0.9)}), z, Real(0.1), {{0, 1, Real(0.45)}}},
-      // from y = 0.5 to 2.5, where the other one ends at 2
-      {"capsules side by side",
-       pill,
-       at(short_pill, {Real(0.8), Real(1.5), 0}),
-       x,
-       Real(0.2),
-       {{Real(0.4), half, 0}, {Real(0.4), 2, 0}}},
-      {"capsules end to end", pill, at(short_pill, {0, Real(3.9), 0}), y, Real(0.1), {{0, Real(2.45), 0}}},
-      // from x = -0.5 to 1.5, where the box ends at 1
-      {"a capsule that lies on a box",
-       cube,
-       at(turned(short_pill, pi / 2, z), {half, Real(1.4), 0}),
-       y,
-       Real(0.1),
-       {{-half, Real(0.95), 0}, {1, Real(0.95), 0}}},
-      {"a capsule that stands on a box", cube, at(short_pill, {0, Real(2.4), 0}), y, Real(0.1), {{0, Real(0.95), 0}}},
-      // the segment passes the edge at 0.4 m
-      {"a capsule across an edge of a box",
-       cube,
-       at(Body(short_pill).oriented(across_slanted), Vec3(1, 1, 0) + Real(0.4) * slanted),
-       slanted,
-       Real(0.1),
-       {Vec3(1, 1, 0) - Real(0.05) * slanted}},
-      {"a capsule along an edge of a box",
-       cube,
-       at(turned(capsule(half, Real(0.75), 1), pi / 2, x), Vec3(1, 1, 0) + Real(0.4) * bisector),
-       bisector,
-       Real(0.1),
-       {Vec3(1, 1, Real(-0.75)) - Real(0.05) * bisector, Vec3(1, 1, Real(0.75)) - Real(0.05) * bisector}},
-      // surfaces at 1 m and at 0.4 m
-      {"a capsule with an end in a box",
-       cube,
-       at(capsule(Real(0.1), 1, 1), {0, Real(1.5), 0}),
-       y,
-       Real(0.6),
-       {{0, Real(0.7), 0}}},
-      {"a capsule right through a box",
-       cube,
-       at(turned(capsule(Real(0.1), 3, 1), pi / 2, z), {0, Real(0.8), 0}),
-       y,
-       Real(0.3),
-       {{-1, Real(0.85), 0}, {1, Real(0.85), 0}}},
-      {"a capsule that lies on a ramp",
-       hull(wedge(2, 1, 1), 1),
-       at(turned(capsule(Real(0.1), Real(0.3), 1), slope - pi / 2, z), half * y + Real(0.08) * off_ramp),
-       off_ramp,
-       Real(0.02),
-       {half * y - Real(0.01) * off_ramp - Real(0.3) * up_ramp,
-        half * y - Real(0.01) * off_ramp + Real(0.3) * up_ramp}},
-      // shared: x from -0.5 to 1, z from -1 to 0.75
-      {"boxes face to face",
-       cube,
-       at(cube, {half, Real(1.9), Real(-0.25)}),
-       y,
-       Real(0.1),
-       {{-half, Real(0.95), -1}, {1, Real(0.95), -1}, {-half, Real(0.95), Real(0.75)}, {1, Real(0.95), Real(0.75)}}},
-      // the upper edge of one runs along z, the lower edge of the other along x
-      {"boxes whose edges cross",
-       turned(cube, pi / 4, z),
-       at(turned(cube, pi / 4, x), {Real(0.3), 2 * root - Real(0.1), Real(0.2)}),
-       y,
-       Real(0.1),
-       {{0, root - Real(0.05), Real(0.2)}}}};
-  for (Known known : all) {
-    INFO(known.what);
-    const Contacts contacts = contacts_of(known.a, known.b);
-    REQUIRE(contacts.size() == known.points.size());
+  const auto known = [](const char* what, Body a, Body b, const Vec3& normal, Real depth, const Points& points) {
+    INFO(what);
+    const Contacts contacts = contacts_of(a, b);
+    REQUIRE(contacts.size() == points.size());
     for (const Contact& c : contacts) {
-      require_equal(c.normal, known.normal, 2 * tight);
-      CHECK(c.depth == Approx(known.depth));
+      require_equal(c.normal, normal, 2 * tight);
+      CHECK(c.depth == Approx(depth));
     }
-    for (const Vec3& point : known.points) {
+    for (const Vec3& point : points) {
       INFO("at (" << point.transpose() << ")");
       CHECK(std::any_of(contacts.begin(), contacts.end(),
                         [&](const Contact& c) { return (c.point - point).norm() < 10 * tight; }));
     }
-  }
+  };
+  // radii of 2 m and 1 m, 2 m apart: surfaces at 2 m and at 1 m
+  known("two spheres", at(sphere(2, 1), {1, 1, 1}), at(sphere(1, 1), {Real(2.6), 1, Real(2.2)}),
+        {Real(0.8), 0, Real(0.6)}, 1, {{Real(2.2), 1, Real(1.9)}});
+  known("a sphere in a slanted half-space", at(half_space({0, 3, 4}), {0, 0, 10}),
+        at(sphere(2, 1), {5, Real(0.9), Real(11.2)}), {0, Real(0.6), Real(0.8)}, half, {{5, Real(-0.15), Real(9.8)}});
+  known("a box on a half-space", at(crate, {10, Real(1.9), 20}), floor, -y, Real(0.1),
+        {{9, Real(-0.05), 17}, {11, Real(-0.05), 17}, {9, Real(-0.05), 23}, {11, Real(-0.05), 23}});
+  known("a box on an edge of its own", floor, at(turned(cube, pi / 4, z), {0, root - Real(0.01), 0}), y, Real(0.01),
+        {{0, Real(-0.005), -1}, {0, Real(-0.005), 1}});
+  known("a box on a corner of its own", floor, at(Body(cube).oriented(on_corner), {0, three - Real(0.01), 0}), y,
+        Real(0.01), {{0, Real(-0.005), 0}});
+  known("a capsule that lies", floor, at(lying_pill, {0, Real(0.4), 0}), y, Real(0.1),
+        {{-2, Real(-0.05), 0}, {2, Real(-0.05), 0}});
+  known("a capsule that stands", floor, at(pill, {0, Real(2.4), 0}), y, Real(0.1), {{0, Real(-0.05), 0}});
+  known("a sphere at a face of a box", crate, at(sphere(half, 1), {Real(1.4), 1, 1}), x, Real(0.1),
+        {{Real(0.95), 1, 1}});
+  known("a sphere at an edge of a box", crate, at(sphere(1, 1), {Real(1.3), Real(2.4), 1}), slanted, half,
+        {{Real(0.85), Real(1.8), 1}});
+  // 0.2, 0.3, 0.6 off the corner: 0.7 m away
+  known("a sphere at a corner of a box", crate, at(sphere(Real(0.8), 1), {Real(1.2), Real(2.3), Real(3.6)}),
+        Vec3(2, 3, 6) / 7, Real(0.1), {Vec3(1, 2, 3) - Real(0.05) * Vec3(2, 3, 6) / 7});
+  // its centre is 0.3 m below the face: surfaces at 1 m and at 0.2 m
+  known("a sphere in a box", crate, at(sphere(half, 1), {Real(0.7), 1, -1}), x, Real(0.8), {{Real(0.6), 1, -1}});
+  known("a sphere beside a capsule", pill, at(sphere(1, 1), {Real(1.2), 1, 0}), x, Real(0.3), {{Real(0.35), 1, 0}});
+  known("a sphere beyond the end of a capsule", at(sphere(1, 1), {Real(0.6), Real(2.8), 0}), pill, -slanted, half,
+        {{Real(0.15), Real(2.2), 0}});
+  known("capsules that cross", pill, at(lying_pill, {1, 1, Real(0.9)}), z, Real(0.1), {{0, 1, Real(0.45)}});
+  // from y = 0.5 to 2.5, where the other one ends at 2
+  known("capsules side by side", pill, at(short_pill, {Real(0.8), Real(1.5), 0}), x, Real(0.2),
+        {{Real(0.4), half, 0}, {Real(0.4), 2, 0}});
+  known("capsules end to end", pill, at(short_pill, {0, Real(3.9), 0}), y, Real(0.1), {{0, Real(2.45), 0}});
+  // from x = -0.5 to 1.5, where the box ends at 1
+  known("a capsule that lies on a box", cube, at(turned(short_pill, pi / 2, z), {half, Real(1.4), 0}), y, Real(0.1),
+        {{-half, Real(0.95), 0}, {1, Real(0.95), 0}});
+  known("a capsule that stands on a box", cube, at(short_pill, {0, Real(2.4), 0}), y, Real(0.1), {{0, Real(0.95), 0}});
+  // the segment passes the edge at 0.4 m
+  known("a capsule across an edge of a box", cube,
+        at(Body(short_pill).oriented(across_slanted), Vec3(1, 1, 0) + Real(0.4) * slanted), slanted, Real(0.1),
+        {Vec3(1, 1, 0) - Real(0.05) * slanted});
+  known("a capsule along an edge of a box", cube,
+        at(turned(capsule(half, Real(0.75), 1), pi / 2, x), Vec3(1, 1, 0) + Real(0.4) * bisector), bisector, Real(0.1),
+        {Vec3(1, 1, Real(-0.75)) - Real(0.05) * bisector, Vec3(1, 1, Real(0.75)) - Real(0.05) * bisector});
+  // surfaces at 1 m and at 0.4 m
+  known("a capsule with an end in a box", cube, at(capsule(Real(0.1), 1, 1), {0, Real(1.5), 0}), y, Real(0.6),
+        {{0, Real(0.7), 0}});
+  known("a capsule right through a box", cube, at(turned(capsule(Real(0.1), 3, 1), pi / 2, z), {0, Real(0.8), 0}), y,
+        Real(0.3), {{-1, Real(0.85), 0}, {1, Real(0.85), 0}});
+  known(
+      "a capsule that lies on a ramp", hull(wedge(2, 1, 1), 1),
+      at(turned(capsule(Real(0.1), Real(0.3), 1), slope - pi / 2, z), half * y + Real(0.08) * off_ramp), off_ramp,
+      Real(0.02),
+      {half * y - Real(0.01) * off_ramp - Real(0.3) * up_ramp, half * y - Real(0.01) * off_ramp + Real(0.3) * up_ramp});
+  // shared: x from -0.5 to 1, z from -1 to 0.75
+  known("boxes face to face", cube, at(cube, {half, Real(1.9), Real(-0.25)}), y, Real(0.1),
+        {{-half, Real(0.95), -1}, {1, Real(0.95), -1}, {-half, Real(0.95), Real(0.75)}, {1, Real(0.95), Real(0.75)}});
+  // the upper edge of one runs along z, the lower edge of the other along x
+  known("boxes whose edges cross", turned(cube, pi / 4, z),
+        at(turned(cube, pi / 4, x), {Real(0.3), 2 * root - Real(0.1), Real(0.2)}), y, Real(0.1),
+        {{0, root - Real(0.05), Real(0.2)}});
 }
 
 TEST_CASE("a pair has the mean friction, the larger restitution, and its bodies' numbers") {
@@ -342,17 +259,6 @@ TEST_CASE("a pair has the mean friction, the larger restitution, and its bodies'
   REQUIRE(c.restitution == Approx(0.7));
   REQUIRE(c.id.body_a == 3);
   REQUIRE(c.id.body_b == 8);
-}
-
-TEST_CASE("the corners of a box on a half-space are named by their numbers") {
-  Body floor = ground(), crate = box({1, 2, 3}, 1).at({0, Real(1.9), 0});
-  const Contacts contacts = contacts_of(crate, floor);
-  const std::vector<std::uint32_t> lower_corners = {0, 1, 4, 5};  // bit 1, the y axis, is not set
-  REQUIRE(features(contacts) == lower_corners);
-  for (const Contact& c : contacts) {
-    CHECK((c.point.x() > 0) == ((c.id.feature & 1) != 0));
-    CHECK((c.point.z() > 0) == ((c.id.feature & 4) != 0));
-  }
 }
 
 TEST_CASE("a wedge stands on the whole of its blade, on a plane and on a box, and a capsule along it") {
@@ -374,23 +280,6 @@ TEST_CASE("a wedge stands on the whole of its blade, on a plane and on a box, an
   REQUIRE(contacts.size() == 2);
   for (const Contact& c : contacts) REQUIRE(std::abs(c.point.z()) == Approx(0.5));
 }
-
-TEST_CASE("the stones of an arch touch their neighbours at four points from the beginning") {
-  for (const int count : {5, 7, 11, 15}) {
-    for (int i = 1; i < count; ++i) {
-      INFO("stone " << i << " of " << count);
-      Body before = hull(stone(i - 1, count, 2, Real(2.5), Real(0.4)), 1);
-      Body after = hull(stone(i, count, 2, Real(2.5), Real(0.4)), 1);
-      const Contacts contacts = contacts_of(before, after);
-      REQUIRE(contacts.size() == 4);
-      REQUIRE(deepest(contacts) < 5 * tight);
-      const Real angle = pi * Real(i) / Real(count);
-      require_equal(contacts[0].normal, {-std::sin(angle), std::cos(angle), 0}, 50 * tight);
-    }
-  }
-}
-
-// ---- properties ---------------------------------------------------------------------------------------------------
 
 TEST_CASE("two bodies that nothing moves do not collide") {
   Body floor = ground(), block = box({1, 1, 1}, 1).fixed(), wall = half_space(Vec3::UnitX());
@@ -604,8 +493,6 @@ TEST_CASE("far from the origin the depth is as exact as the positions are") {
   });
 }
 
-// ---- names --------------------------------------------------------------------------------------------------------
-
 TEST_CASE("names do not change when the pair trembles") {
   const Real tremble = std::max(Real(1e-9), 4 * eps);
   for_random_contacts(100, [&](Body& a, Body& b, const Contacts& contacts, Random& random) {
@@ -666,23 +553,6 @@ TEST_CASE("equal faces on each other keep their corners and names whatever the r
           require_same(names, contacts);
         }
       }
-    }
-  }
-}
-
-TEST_CASE("a stack of turned boxes touches at the same four points in every step") {
-  Random random(seed);
-  for (const Real degrees : {Real(0.01), Real(1), Real(20), Real(45), Real(80)}) {
-    std::vector<std::uint32_t> names;
-    for (int step = 0; step < 300; ++step) {
-      Body a = as_box({1, 1, 1}), b = as_box({1, 1, 1}).turned(degrees * pi / 180, Vec3::UnitY());
-      b.position = {0, Real(1.998), 0};
-      jitter(a, random, Real(1e-5));  // as a stack breathes: a hundredth of a millimetre
-      jitter(b, random, Real(1e-5));
-      const Contacts contacts = contacts_of(a, b);
-      INFO("turned by " << degrees << " degrees, step " << step);
-      REQUIRE(contacts.size() == 4);
-      require_same(names, contacts);
     }
   }
 }
@@ -762,19 +632,6 @@ TEST_CASE("a box that shares its centre with another shape is pushed the same wa
         require_equal(contacts_of(other_a, other_b)[0].normal, normal, 10 * tight);
       }
     }
-  }
-}
-
-TEST_CASE("of two faces of a hull that look down alike the same one counts however they tremble") {
-  Random random(14);
-  Body floor = ground();
-  std::vector<std::uint32_t> names;
-  for (int step = 0; step < 100; ++step) {
-    Body crate = as_hull({1, 1, 1}).turned(pi / 4, Vec3::UnitZ()).at({0, Real(-0.2), 0});
-    jitter(crate, random, std::max(Real(1e-12), 4 * eps));
-    const Contacts contacts = contacts_of(floor, crate);  // so deep that one of its faces is all below
-    REQUIRE(contacts.size() == 4);
-    require_same(names, contacts);
   }
 }
 

@@ -4,9 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/common/bodies/random.h"
-#include "pushback/common/world/measure.h"
+#include "pushback/common/world/world.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
 #include "tests/support/hulls.h"
@@ -146,31 +145,4 @@ TEST_CASE("what is no solid is refused, and the message says what is wrong") {
   made = hull(wedge(1, 1, 1), 1);
   made.friction = -1;
   REQUIRE_FALSE(complaint([&] { world.add(made); }).empty());
-}
-
-TEST_CASE("what lies on the ground stays there") {
-  const Points tetrahedron = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {Real(0.3), Real(0.8), Real(0.3)}};
-  const Points crate = corners_of_box({Real(0.5), Real(0.5), Real(0.5)});
-  Points plank = corners_of_box({1, Real(0.1), Real(0.5)});
-  for (const Points& points : {crate, wedge(2, 1, 1), tetrahedron, prism(16, Real(0.5), Real(0.5)), plank}) {
-    for (const bool on_box : {false, true}) {
-      World world;
-      if (on_box) world.add(box({3, 1, 3}, 1).fixed().at({0, -1, 0}));
-      else world.add(ground());
-      Body body = hull(points, 100);
-      // By a millimetre in the ground: a corner that the first, unfinished sweeps lift by a micrometre still touches.
-      Real low = std::numeric_limits<Real>::infinity();
-      for (const Vec3& corner : corners_of(body)) low = std::min(low, corner.y());
-      body.position.y() -= low + Real(0.001);
-      const int index = world.add(body);
-      FullSolver solver;
-      for (int step = 0; step < 180; ++step) world.step(solver, Real(1) / 60);
-      const Body& now = world.bodies[std::size_t(index)];
-      INFO(points.size() << " points");
-      REQUIRE((now.position - body.position).norm() < Real(1e-4));
-      REQUIRE(now.orientation.angularDistance(body.orientation) < Real(1e-4));
-      REQUIRE(largest_speed(world) < std::max(Real(1e-6), 1000 * eps));
-      for (const Contact& c : world.contacts) REQUIRE(c.state != ContactState::fresh);
-    }
-  }
 }

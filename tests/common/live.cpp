@@ -5,6 +5,7 @@
 
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/chapters/11_substeps/substeps.h"
+#include "tests/support/call.h"
 #include "tests/support/catch.h"
 
 using namespace pushback;
@@ -44,10 +45,6 @@ struct Played {
 
   std::pair<std::uint64_t, std::uint64_t> hashes() const { return {hash_of(live.world(0)), hash_of(live.world(1))}; }
 };
-
-bool contains(const std::string& text, const std::string& words) {
-  return text.find(words) != std::string::npos;
-}
 
 const Camera from_the_front{{0, 2, 20}, {0, 2, 0}, Real(0.5)};
 

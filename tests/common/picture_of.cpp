@@ -1,5 +1,4 @@
 // What a world looks like: what has one size on the picture, what is magnified, what the legend says.
-#include <algorithm>
 #include <random>
 
 #include "pushback/common/experiment/marks.h"
@@ -27,7 +26,6 @@ World boxes() {
   }
   return world;
 }
-const Camera from_above{{3, 5, 9}, {0, 0, 0}, Real(0.5)};
 
 Vec3 turn_between(const Quat& from, const Quat& to) {
   const Eigen::AngleAxis<Real> turn(to * from.conjugate());
@@ -35,40 +33,6 @@ Vec3 turn_between(const Quat& from, const Quat& to) {
 }
 
 }  // namespace
-
-TEST_CASE("an outline lies on the body's surface") {
-  const Vec3 axis = Vec3(1, 2, 3).normalized();
-  const Body block = box({1, 2, 3}, 1).at({4, 5, 6}).turned(Real(0.7), axis);
-  const Body ball = sphere(2, 1).at({4, 5, 6}).turned(Real(0.7), axis);
-  const Body pill = capsule(Real(0.5), 1, 1).at({4, 5, 6}).turned(Real(0.7), axis);
-  Picture picture;
-  add_outline(picture, block);
-  Real edges = 0;
-  for (const Line& line : picture.lines) {
-    edges += (line.to - line.from).norm();
-    for (const Vec3& end : {line.from, line.to}) {
-      const Vec3 share = point_on(block, end).cwiseAbs().cwiseQuotient(Vec3(1, 2, 3));
-      CHECK(share.maxCoeff() == Approx(1));
-      CHECK((share.array() > 1 - 1e-9).count() >= 2);  // on two faces at once: on an edge
-    }
-  }
-  CHECK(edges == Approx(4 * (2 + 4 + 6)));
-  picture.lines.clear();
-  add_outline(picture, ball);
-  CHECK(picture.lines.size() >= 3 * 48);
-  for (const Line& line : picture.lines) CHECK((line.from - ball.position).norm() <= 2 + 1e-9);
-  for (const Line& line : picture.lines) CHECK((line.from - ball.position).norm() > 1.99);
-  picture.lines.clear();
-  add_outline(picture, pill);
-  for (const Line& line : picture.lines) {
-    const Vec3 on = point_on(pill, line.from);
-    const Vec3 core(0, std::clamp(on.y(), Real(-1), Real(1)), 0);
-    CHECK((on - core).norm() == Approx(0.5).epsilon(0.01));
-  }
-  picture.lines.clear();
-  add_outline(picture, ground());
-  CHECK(picture.lines.empty());
-}
 
 TEST_CASE("magnified: displacements and turns are so many times as large, and contacts ride on their bodies") {
   const World start = boxes();

@@ -48,37 +48,6 @@ Panel random_panel(Random& random) {
 
 }  // namespace
 
-TEST_CASE("things that are spread do not overlap, keep their order, and move no more than they must") {
-  Random random(1);
-  for (int trial = 0; trial < 500; ++trial) {
-    std::vector<Real> wanted, heights;
-    const std::size_t count = 1 + random.below(9);
-    for (std::size_t i = 0; i < count; ++i) {
-      wanted.push_back(random.below(3) == 0 ? 200 : random.between(0, 400));
-      heights.push_back(random.between(10, 44));
-    }
-    std::sort(wanted.begin(), wanted.end());
-    const std::vector<Real> middles = spread(wanted, heights, 0, 400);
-    REQUIRE(middles.size() == count);
-    CHECK(middles.front() - heights.front() / 2 >= Real(-1e-9));
-    CHECK(middles.back() + heights.back() / 2 <= Real(400 + 1e-9));
-    // Those that touch each other stand around the mean of where they want to be, unless an end is in their way.
-    for (std::size_t first = 0, end = 0; first < count; first = end) {
-      Real sum = 0;
-      do sum += middles[end] - wanted[end], ++end;
-      while (end < count && middles[end] - middles[end - 1] < (heights[end] + heights[end - 1]) / 2 + Real(1e-9));
-      const bool at_low = middles[first] - heights[first] / 2 < Real(1e-9);
-      const bool at_high = middles[end - 1] + heights[end - 1] / 2 > Real(400 - 1e-9);
-      if (!at_low) CHECK(sum <= Real(1e-6));
-      if (!at_high) CHECK(sum >= Real(-1e-6));
-      if (end < count) CHECK(middles[end] - heights[end] / 2 >= middles[end - 1] + heights[end - 1] / 2);
-    }
-  }
-  CHECK(spread({100, 100}, {30, 30}, 0, 400) == std::vector<Real>{85, 115});
-  CHECK(spread({0, 390}, {30, 30}, 0, 400) == std::vector<Real>{15, 385});
-  CHECK(spread({50, 60}, {30, 30}, 0, 40) == std::vector<Real>{15, 45});  // no room: one after the other
-}
-
 TEST_CASE("names of curves never overlap, whatever the curves, and lie within the picture") {
   Random random(2);
   for (int trial = 0; trial < 200; ++trial) {

@@ -14,23 +14,12 @@
 #include "pushback/common/render/image.h"
 #include "pushback/common/render/painter.h"
 #include "pushback/common/render/palette.h"
-#include "tests/support/catch.h"
+#include "tests/support/call.h"
 #include "tests/support/colour_blind.h"
 
 using namespace pushback;
-namespace fs = std::filesystem;
 
 namespace {
-
-/// A folder of its own that goes away with the test.
-struct Folder {
-  fs::path path =
-      fs::temp_directory_path() / ("pushback_render_" + std::to_string(reinterpret_cast<std::uintptr_t>(this)));
-  Folder() { fs::create_directories(path); }
-  ~Folder() { fs::remove_all(path); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-};
 
 /// How many pixels two images of one size do not share.
 int differences(const Image& a, const Image& b) {
@@ -56,10 +45,10 @@ Picture ball_in_the_air() {
 }  // namespace
 
 TEST_CASE("a PNG gives back the pixels it was given") {
-  const Folder folder;
+  const Scratch folder;
   Image image(37, 21);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) image.pixels[i] = static_cast<std::uint8_t>(i * 31 % 251);
-  const fs::path file = folder.path / "there and back.png";
+  const fs::path file = folder / "there and back.png";
   write_png(file, image);
   write_png(file, image);  // a second time replaces the first
   const Image back = read_png(file);
@@ -69,24 +58,24 @@ TEST_CASE("a PNG gives back the pixels it was given") {
 }
 
 TEST_CASE("a PNG that cannot be written leaves nothing behind") {
-  const Folder folder;
+  const Scratch folder;
   const Image image(4, 4);
-  CHECK_THROWS_AS(write_png(folder.path / "missing" / "a.png", image), InvalidInput);
-  CHECK_FALSE(fs::exists(folder.path / "missing"));
-  fs::create_directories(folder.path / "taken.png" / "by a folder");
-  CHECK_THROWS_AS(write_png(folder.path / "taken.png", image), InvalidInput);
-  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
-  CHECK_THROWS_AS(write_png(folder.path / "empty.png", Image()), InvalidInput);
+  CHECK_THROWS_AS(write_png(folder / "missing/a.png", image), InvalidInput);
+  CHECK_FALSE(fs::exists(folder / "missing"));
+  fs::create_directories(folder / "taken.png/by a folder");
+  CHECK_THROWS_AS(write_png(folder / "taken.png", image), InvalidInput);
+  CHECK(std::distance(fs::directory_iterator(folder / ""), fs::directory_iterator()) == 1);
+  CHECK_THROWS_AS(write_png(folder / "empty.png", Image()), InvalidInput);
 }
 
 TEST_CASE("what is not a PNG is refused by name") {
-  const Folder folder;
-  const fs::path file = folder.path / "words.png";
+  const Scratch folder;
+  const fs::path file = folder / "words.png";
   std::ofstream(file) << "these are words";
   CHECK_THROWS_AS(read_png(file), InvalidInput);
-  CHECK_THROWS_AS(read_png(folder.path / "absent.png"), InvalidInput);
+  CHECK_THROWS_AS(read_png(folder / "absent.png"), InvalidInput);
   try {
-    read_png(folder.path / "absent.png");
+    read_png(folder / "absent.png");
   } catch (const InvalidInput& refusal) {
     CHECK(std::string(refusal.what()).find("absent.png") != std::string::npos);
   }

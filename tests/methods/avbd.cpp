@@ -1,7 +1,6 @@
 /// Augmented vertex block descent.
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
-#include "pushback/chapters/13_joints/scenes.h"
 #include "pushback/common/world/measure.h"
 #include "tests/methods/played.h"
 #include "tests/support/catch.h"
@@ -44,26 +43,4 @@ TEST_CASE("avbd: momentum is conserved as far as sweeps have converged, and no f
   CHECK(lost(1) == Approx(0.79).margin(0.01));  // docs/methods.md says so
   CHECK(lost(10) == Approx(0.003).margin(0.0005));
   CHECK(lost(60) < (in_double ? Real(1e-8) : Real(1e-5)));
-}
-
-TEST_CASE("avbd: nothing bounces") {
-  World world;
-  const Body& ball = ball_on_ground(world, Real(-0.01)).bouncy(1).moving({0, -3, 0});
-  Avbd solver;
-  for (int i = 0; i < 30; ++i) world.step(solver, h, 30);
-  CHECK(std::abs(depth_of(ball)) < Real(1e-4));
-  CHECK(largest_speed(world) < Real(1e-4));
-}
-
-TEST_CASE("avbd: a pendulum by an error of the order of the step, and joints that hold a hundredfold mass") {
-  CHECK(std::log2(error_of<Avbd>("pendulum", 8, 4) / error_of<Avbd>("pendulum", 16, 4)) == Approx(1).margin(0.1));
-  World world;
-  motion_named("chain").begin(world);
-  Avbd solver;
-  Real farthest = 0;
-  for (int i = 0; i < 120 * 16; ++i) {
-    world.step(solver, h / 16, 4);
-    farthest = std::max(farthest, joints_scenes::largest_joint_error(world));
-  }
-  CHECK(farthest < Real(0.01));
 }

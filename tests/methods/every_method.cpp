@@ -1,4 +1,5 @@
 /// What every method of tools/methods is held to.
+#include "pushback/chapters/13_joints/scenes.h"
 #include "pushback/common/world/any_solver.h"
 #include "pushback/common/world/measure.h"
 #include "tests/methods/played.h"
@@ -117,4 +118,25 @@ TEMPLATE_TEST_CASE("methods: a scene that cannot be simulated is refused, and no
   const Vec3 place = ball.position;
   CHECK(complaint([&] { world.step(solver, h, 1); }).find("velocity") != std::string::npos);
   CHECK(world.bodies[1].position == place);
+}
+
+TEMPLATE_TEST_CASE("methods: a pendulum by an error of the order of the step, and joints that hold a hundredfold mass",
+                   "", Xpbd, Avbd, Sap) {
+  constexpr bool xpbd = std::same_as<TestType, Xpbd>, avbd = std::same_as<TestType, Avbd>;
+  const int sweeps = avbd ? 4 : 1;
+  if (in_double && !xpbd) {
+    const double coarse = error_of<TestType>("pendulum", 8, sweeps), fine = error_of<TestType>("pendulum", 16, sweeps);
+    CHECK(std::log2(coarse / fine) == Approx(1).margin(0.1));
+  }
+  World world;
+  any_motion_named("chain").begin(world);
+  TestType solver;
+  if constexpr (xpbd) solver.substeps = 64;
+  const int parts = xpbd ? 1 : 16;
+  Real farthest = 0;
+  for (int i = 0; i < 120 * parts; ++i) {
+    world.step(solver, h / static_cast<Real>(parts), sweeps);
+    farthest = std::max(farthest, joints_scenes::largest_joint_error(world));
+  }
+  CHECK(farthest < (xpbd ? Real(1.5e-3) : avbd ? Real(0.01) : Real(1e-3)));
 }

@@ -1,7 +1,6 @@
 /// SAP, the semi-analytic primal solver: closed forms of its regularisation, and of what its relaxed friction does.
 #include "pushback/tools/methods/sap.h"
 
-#include "pushback/chapters/13_joints/scenes.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/tools/measure/study/relaxed_law.h"
 #include "tests/methods/played.h"
@@ -118,20 +117,6 @@ TEST_CASE("sap: what rests is off by the depth of its springs, of the order of t
     CHECK(coarse < 0.0011);
     CHECK(std::log2(coarse / fine) / 2 == Approx(2).margin(0.3));
   }
-}
-
-TEST_CASE("sap: a pendulum by an error of the order of the step, and joints that hold a hundredfold mass") {
-  if (in_double)
-    CHECK(std::log2(error_of<Sap>("pendulum", 8, 1) / error_of<Sap>("pendulum", 16, 1)) == Approx(1).margin(0.05));
-  World world;
-  any_motion_named("chain").begin(world);
-  Sap solver;
-  Real farthest = 0;
-  for (int i = 0; i < 120 * 16; ++i) {
-    world.step(solver, h / 16);
-    farthest = std::max(farthest, joints_scenes::largest_joint_error(world));
-  }
-  CHECK(farthest < Real(1e-3));
 }
 
 TEST_CASE("sap: a joint's bounds, its speed and its softness are kept") {

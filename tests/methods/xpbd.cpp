@@ -1,5 +1,4 @@
 /// Extended position based dynamics: what it gets right, and what it does not.
-#include "pushback/chapters/13_joints/scenes.h"
 #include "pushback/common/world/measure.h"
 #include "tests/methods/played.h"
 #include "tests/support/catch.h"
@@ -7,7 +6,6 @@
 #include "tests/support/on_ground.h"
 
 using namespace pushback;
-using namespace pushback::joints_scenes;
 
 TEST_CASE("xpbd: an overlap is gone after one step, and has become no speed") {
   for (const Real depth : {Real(0.001), Real(0.05), Real(0.25)}) {
@@ -44,29 +42,6 @@ TEST_CASE("xpbd: a box that slides stops 0.3 m too late, however short the step,
   }
   CHECK(std::abs(sum.y()) == Approx(100 * g * 400 * h / 16).epsilon(0.01));
   CHECK(std::hypot(sum.x(), sum.z()) / std::abs(sum.y()) == Approx(0.46).margin(0.01));  // mu is 0.5
-}
-
-TEST_CASE("xpbd: a box at rest stays where it is, without a warm start, and a stack of ten stands") {
-  World world;
-  stack(world, 1);
-  Xpbd solver;
-  solver.substeps = 16;
-  for (int i = 0; i < 300; ++i) world.step(solver, h);
-  CHECK((world.bodies[1].position - Vec3(0, Real(0.5), 0)).norm() < Real(1e-5));
-  CHECK(error_of<Xpbd>("stack-10", 16, 1) < 0.2);
-}
-
-TEST_CASE("xpbd: joints of a chain under a hundredfold mass open by a millimetre, cold, in one sweep") {
-  World world;
-  motion_named("chain").begin(world);
-  Xpbd solver;
-  solver.substeps = 64;
-  Real farthest = 0;
-  for (int i = 0; i < 120; ++i) {
-    world.step(solver, h);
-    farthest = std::max(farthest, largest_joint_error(world));
-  }
-  CHECK(farthest < Real(1.5e-3));
 }
 
 TEST_CASE("xpbd: settings that cannot be are refused by name, and so is a joint with a softness") {

@@ -7,11 +7,6 @@
 
 #include "tests/support/call.h"
 
-/// Where the chapters' executables are, from the working directory of the tests.
-#ifndef CHAPTER_DIR
-#define CHAPTER_DIR "build/release/programs"
-#endif
-
 namespace {
 
 Ended call(const std::string& chapter, const std::string& arguments, int seconds = 20) {
@@ -75,28 +70,9 @@ TEST_CASE("option --parameters prints an experiment's own options as JSON, and -
                  R"("default": [0, 0.005, 0.02], "least": 0, "most": 0.1, "whole": false})"));
 }
 
-TEST_CASE("option --list names scenes and variants, writes nothing, and --variants understands each of its names") {
-  for (const std::string& chapter : short_chapters) {
-    const Scratch scratch;
-    const Ended outcome = call(chapter, "--list --out '" + (scratch / "out").string() + "'");
-    INFO(chapter << "\n" << outcome.out);
-    CHECK(outcome.status == 0);
-    CHECK_FALSE(fs::exists(scratch / "out"));
-    int scenes = 0, variants = 0;
-    for (const std::string& line : lines_of(outcome.out)) ++(line.rfind("  ", 0) == 0 ? variants : scenes);
-    CHECK(scenes >= 1);
-    CHECK(variants >= 2);
-  }
-  for (const std::string& line : lines_of(call("04_slop", "--list").out)) {
-    if (line.rfind("  ", 0) != 0) continue;
-    const std::string name = line.substr(2, line.find(' ', 2) - 2);
-    CHECK(call("04_slop", "--list --variants " + name).status == 0);
-  }
-}
-
 TEST_CASE("a value that cannot be used: status 2, a message that names it, and nothing is written") {
   struct Wrong {
-    std::string chapter, arguments;
+    std::string program, arguments;
     std::vector<std::string> named;
   };
   for (const Wrong& wrong : std::vector<Wrong>{
@@ -116,60 +92,23 @@ TEST_CASE("a value that cannot be used: status 2, a message that names it, and n
            {"03_baumgarte", "banana", {"banana"}},
            // More steps than anyone could wait for.
            {"03_baumgarte", "--seconds 1e30", {"--seconds", "1e+30"}},
+           {"03_baumgarte", "--out /dev/null/x", {"--out", "/dev/null/x"}},
+           {"hard_cases_fuzz", "--scenes -1", {"--scenes", "'-1'", "from 1 to 1000000000"}},
+           {"hard_cases_fuzz", "--known 3,,4", {"'3,,4'", "between any two commas"}},
+           {"growth", "--tolerance nan", {"'nan'", "a number from 0 to 1000000"}},
+           {"solve", "none.dat --sweeps 1e3", {"'1e3'", "a whole number from 0 to 100000000"}},
        }) {
     const Scratch scratch;
-    const Ended outcome =
-        call(wrong.chapter, "--no-images --out '" + (scratch / "out").string() + "' " + wrong.arguments);
-    INFO(wrong.chapter << " " << wrong.arguments << ": " << outcome.err);
+    const std::string out = contains(wrong.arguments, "--out") ? "" : "--out '" + (scratch / "out").string() + "' ";
+    const bool chapter = std::isdigit(wrong.program[0]) != 0;
+    const Ended outcome = call(wrong.program, (chapter ? "--no-images " + out : "") + wrong.arguments);
+    INFO(wrong.program << " " << wrong.arguments << ": " << outcome.err);
     CHECK(outcome.status == 2);
     CHECK(outcome.out.empty());
     for (const std::string& name : wrong.named) CHECK(contains(outcome.err, name));
     CHECK(outcome.err.size() < 300);  // to be read by a person
     CHECK_FALSE(fs::exists(scratch / "out"));
   }
-}
-
-TEST_CASE("a number with a leading zero is decimal") {
-  CHECK(contains(call("11_substeps", "--list --substeps 010").out, "10 substeps"));
-}
-
-TEST_CASE("commands refuse numbers that no program can use: status 2, the value, and what is allowed") {
-  struct Wrong {
-    std::string program, arguments, value, allowed;
-  };
-  for (const Wrong& wrong : std::vector<Wrong>{
-           {"hard_cases_fuzz", "--scenes -1", "'-1'", "a whole number from 1 to 1000000000"},
-           {"hard_cases_fuzz", "--scenes 18446744073709551615", "'18446744073709551615'", "from 1 to 1000000000"},
-           {"hard_cases_fuzz", "--seed -1", "'-1'", "a whole number from 0 to 18446744073709551615"},
-           {"hard_cases_fuzz", "--known 3,,4", "'3,,4'", "between any two commas"},
-           {"hard_cases_fuzz", "--save ''", "''", "a value is needed"},
-           {"growth", "--tolerance nan", "'nan'", "a number from 0 to 1000000"},
-           {"solve", "none.dat --tolerance nan", "'nan'", "a number from 0 to 1000000"},
-           {"solve", "none.dat --sweeps 1e3", "'1e3'", "a whole number from 0 to 100000000"},
-           {"solve", "none.dat --write ''", "''", "a value is needed"},
-       }) {
-    const Ended outcome = call(wrong.program, wrong.arguments);
-    INFO(wrong.program << " " << wrong.arguments << ": " << outcome.err);
-    CHECK(outcome.status == 2);
-    CHECK(outcome.out.empty());
-    CHECK(contains(outcome.err, wrong.arguments.substr(wrong.arguments.find("--"), 6)));
-    CHECK(contains(outcome.err, wrong.value));
-    CHECK(contains(outcome.err, wrong.allowed));
-  }
-}
-
-TEST_CASE("an output folder that cannot be made: status 2 and a message that names it") {
-  const Scratch scratch;
-  std::ofstream(scratch / "file") << "a regular file";
-  for (const std::string& folder :
-       {std::string("/dev/null/x"), (scratch / "file").string(), (scratch / "file" / "x").string()}) {
-    const Ended outcome = call("03_baumgarte", "--no-images --out '" + folder + "'");
-    INFO(folder << ": " << outcome.err);
-    CHECK(outcome.status == 2);
-    CHECK(contains(outcome.err, folder));
-    CHECK(contains(outcome.err, "--out"));
-  }
-  CHECK(text_of(scratch / "file") == "a regular file");
 }
 
 TEST_CASE("metrics.csv has the documented columns and a row for each variant and step") {
@@ -209,19 +148,6 @@ TEST_CASE("the columns mean what their names say") {
     CHECK(value(i, "potential_energy") == Approx(100 * 9.81 * (1.54 + 0.49 + 5 * t - 9.81 * t * (t + 1.0 / 60))));
     CHECK(value(i, "contacts") == (i == 0 ? 4 : 0));
     CHECK(value(i, "deepest_overlap") == Approx(i == 0 ? 0.01 : 0));
-  }
-}
-
-// What stands on a sheet stands in numbers.md, in the same words: both are committed, so no clock may decide any of it.
-TEST_CASE("two runs write the same, but for the time that the solver took") {
-  for (const std::string& chapter : short_chapters) {
-    INFO(chapter);
-    Numbers once = numbers_of(chapter, "--seconds 0.1"), again = numbers_of(chapter, "--seconds 0.1");
-    for (Numbers* numbers : {&once, &again})
-      for (auto& row : numbers->rows) row[numbers->column("solver_seconds")].clear();
-    CHECK(once.table == again.table);
-    CHECK(once.header == again.header);
-    CHECK(once.rows == again.rows);
   }
 }
 

@@ -68,20 +68,10 @@ TEST_CASE("the way of a student: the file, the gap, hints, a wrong answer, the r
   CHECK(text_of(student.scratch / "04_slop.h.old") == filled_in(slop(), right));
 }
 
-TEST_CASE("slips of the hand: an unknown exercise, an option without one") {
-  Student student;
-  const Ended unknown = student.call("99");
-  CHECK(unknown.status == 2);
-  CHECK(contains(unknown.err, "unknown exercise '99': one of these is needed: 00, 01, 02"));
-  CHECK(student.call("--reset").status == 2);
-  CHECK(student.call("03 04").status == 2);
-  CHECK(fs::is_empty(student.scratch / ""));
-}
-
 TEST_CASE("a folder that is mistyped is named, and none is made") {
   const Scratch scratch;
   const std::string typed = (scratch / "misttyped").string();
-  for (const std::string words : {"04 --in ", "04 --hint --in ", "04 --reset --in ", "--all --in ", "--in "}) {
+  for (const std::string words : {"04 --in ", "04 --reset --in ", "--in "}) {
     const Ended ended = call_program(EXERCISE_PROGRAM, words + typed);
     CHECK(ended.status == 2);
     CHECK(contains(ended.err, "misttyped' does not exist: a folder that exists is needed."));
@@ -90,18 +80,6 @@ TEST_CASE("a folder that is mistyped is named, and none is made") {
   const Ended file = call_program(EXERCISE_PROGRAM, "04 --in /etc/passwd");
   CHECK(file.status == 2);
   CHECK(contains(file.err, "passwd' is no folder: a folder that exists is needed."));
-}
-
-TEST_CASE("of a handout, its exercises alone are listed; a folder that nobody can make sense of is not made") {
-  const Scratch scratch;
-  const std::string folder = (scratch / "mine").string(), none = (scratch / "none").string();
-  CHECK(call_program(EXERCISE_PROGRAM, "--new " + folder + " --with 02,15,15-transfer --without 15").status == 0);
-  const Ended listed = call_program(EXERCISE_PROGRAM, "--in " + folder);
-  CHECK(lines_of(listed.out).size() == 3);
-  CHECK(contains(listed.out, "next: ./course exercise 02\n"));
-  for (const std::string& words : {"--with 99 --new " + none, "03 --new " + none, std::string("--with 03")})
-    CHECK(call_program(EXERCISE_PROGRAM, words).status == 2);
-  CHECK_FALSE(fs::exists(none));
 }
 
 TEST_CASE("watched, a file is checked at each save") {

@@ -1,11 +1,6 @@
 /// Every link on every page leads somewhere.
 #include "tests/project/links.h"
 
-/// The root of the sources, as seen from the working directory of the tests.
-#ifndef SOURCE_DIR
-#define SOURCE_DIR "."
-#endif
-
 TEST_CASE("every link on every page leads somewhere") {
   const std::vector<fs::path> pages = pages_in(SOURCE_DIR);
   CHECK(pages.size() >= 20);  // the front page, the chapters' and some of docs/, at least

@@ -137,13 +137,6 @@ TEST_CASE("each chapter's plain loop passes as a whole file, also with its rows 
   CHECK(verdict_of_mine(8, edited(8, forwards, backwards), folder / "", 1).verdict.passed());
 }
 
-TEST_CASE("the solver of the pages from an empty file passes chapter 07 as it is, with body.h beside it", "[checked]") {
-  const fs::path pages = kit().sources / "docs" / "from_an_empty_file";
-  const VerdictOfMine made = verdict_of_mine(7, text_of(pages / "solver.h"), pages, 1);
-  INFO(made.sentence());
-  CHECK(made.verdict.passed());
-}
-
 TEST_CASE("a whole file that crashes, throws, has no end or does not compile is told so", "[checked]") {
   const Scratch folder;
   const auto kind = [&](const std::string& text) { return verdict_of_mine(0, text, folder / "", 1).outcome.kind; };
@@ -269,22 +262,4 @@ TEST_CASE("error against time: a curve of a reader's solver, or a line that says
   const Ended unknown = reader.call("study none");
   CHECK(unknown.status == 2);
   CHECK(contains(unknown.err, "motion is 'none': one of these is needed: bounce, "));
-}
-
-TEST_CASE("in the sheet of 07 a reader's loop stands in half steps, as the chapter's own does", "[checked]") {
-  const Reader reader;
-  reader.write(plain_loop(7));
-  CHECK(reader.call("07 --seed 1").status == 0);
-  std::string warm, mine;  // of the stack
-  for (const std::string& line : lines_of(text_of(reader.folder / "07/numbers.md"))) {
-    if (warm.empty() && contains(line, " warm, 5 sweeps |")) warm = line.substr(line.find("sweeps") + 8);
-    if (mine.empty() && contains(line, " mine, 5 sweeps |")) mine = line.substr(line.find("sweeps") + 8);
-  }
-  REQUIRE_FALSE(warm.empty());
-  const auto column = [](std::string line, int number) {
-    for (; number > 0; --number) line.erase(0, line.find('|') + 1);
-    return line.substr(0, line.find('|'));
-  };
-  CHECK(column(mine, 0) == column(warm, 0));  // drift
-  CHECK(column(mine, 2) == column(warm, 2));  // overlap
 }

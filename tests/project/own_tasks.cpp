@@ -77,16 +77,6 @@ TEST_CASE("a file may not read what is right of an exercise of one's own") {
   CHECK(verdict_on(exercise, "#include <fstream>\n" + filled_in(exercise, reads + right), 1, &sandbox).passed());
 }
 
-TEST_CASE("what is changed in an exercise of one's own is compiled anew", "[checked]") {
-  Tasks tasks;
-  CHECK(exercises_with(tasks.folder).back().title == "a brake of bounded strength");
-  std::string text = text_of(tasks.brake / "checks.cpp");
-  text.replace(text.find("a brake of bounded"), 1, "A");
-  write_text_file(tasks.brake / "checks.cpp", text);
-  CHECK(exercises_with(tasks.folder).back().title == "A brake of bounded strength");
-  CHECK(std::distance(fs::directory_iterator(tasks.brake / ".built"), {}) == 2);
-}
-
 TEST_CASE("what is wrong with a folder of tasks is said") {
   Tasks tasks;
   const auto refused = [](const fs::path& folder, const std::string& words) {

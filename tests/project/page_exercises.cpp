@@ -22,9 +22,9 @@
 
 using namespace pushback;
 
-// ---- 00: what pushes bodies apart acts once per pair -------------------------------------------------------------------
-
 namespace {
+
+// ---- 00: what pushes bodies apart acts once per pair -------------------------------------------------------------------
 
 inline void push_pairs_apart(World& world) {
   const Contacts& contacts = world.contacts;
@@ -41,8 +41,6 @@ inline void push_pairs_apart(World& world) {
   }
 }
 
-}  // namespace
-
 TEST_CASE("exercise 00.3: pushed apart once, a box that lies on four points ends on the ground, not above it") {
   World world;
   world.add(ground());
@@ -55,15 +53,11 @@ TEST_CASE("exercise 00.3: pushed apart once, a box that lies on four points ends
 
 // ---- 01: old velocities within a sweep ---------------------------------------------------------------------------------
 
-namespace {
-
 void sweep_with_old_velocities(Rows& rows) {
   std::vector<Real> wanted;
   for (const Row& row : rows) wanted.push_back(row.wanted());
   for (std::size_t i = 0; i < rows.size(); ++i) rows[i].reach(wanted[i]);
 }
-
-}  // namespace
 
 TEST_CASE("exercise 01.3: with old velocities, each sweep multiplies the column's speed by -1.6") {
   World world;
@@ -135,8 +129,6 @@ TEST_CASE("exercise 03.3: it is the jitter that the tuning asks for") {
 
 // ---- 04: a dead zone ---------------------------------------------------------------------------------------------------
 
-namespace {
-
 struct DeadZone : Effect {
   Real slop = Real(0.005);
   void adjust_separation(StepContext& step) {
@@ -145,8 +137,6 @@ struct DeadZone : Effect {
     }
   }
 };
-
-}  // namespace
 
 TEST_CASE("exercise 04.3: behind a dead zone the depth stops at the first d0 0.8^k below the slop") {
   for (const auto& [start, end] : {std::pair(Real(0.010), Real(0.004096)), std::pair(Real(0.012), Real(0.00491520))}) {
@@ -183,8 +173,6 @@ struct FrictionCone : Friction {
 
 // ---- 08: a cheaper step ------------------------------------------------------------------------------------------------
 
-namespace {
-
 struct SimpleStep : FrictionCone {
   std::vector<Real> sizes;
   void build(StepContext& step) {
@@ -204,8 +192,6 @@ struct SimpleStep : FrictionCone {
   }
 };
 
-}  // namespace
-
 TEMPLATE_TEST_CASE("exercises 06.3 and 08.3: with one step for both tangents a box comes as far in every direction", "",
                    exercise_06::FrictionCone, SimpleStep) {
   for (const Real heading : friction_scenes::three_headings) {
@@ -220,8 +206,6 @@ TEMPLATE_TEST_CASE("exercises 06.3 and 08.3: with one step for both tangents a b
 
 // ---- 07: only the normals are remembered -------------------------------------------------------------------------------
 
-namespace {
-
 struct NormalsOnly : WarmStart {
   void start(StepContext& step) {
     for (std::size_t i = 0; i < first_guess_.size(); ++i) {
@@ -230,8 +214,6 @@ struct NormalsOnly : WarmStart {
     }
   }
 };
-
-}  // namespace
 
 TEST_CASE("exercise 07.3: before the first sweep the normals carry the box, and the tangents nothing") {
   World world;
@@ -253,8 +235,6 @@ TEST_CASE("exercise 07.3: before the first sweep the normals carry the box, and 
 
 // ---- 09: the fastest first ---------------------------------------------------------------------------------------------
 
-namespace {
-
 struct FastestFirst : SequentialImpacts {
   void start(StepContext& step) {
     for (int impact = 0; impact < most_rounds; ++impact) {
@@ -274,8 +254,6 @@ struct FastestFirst : SequentialImpacts {
     }
   }
 };
-
-}  // namespace
 
 TEST_CASE("exercise 09.1: the fastest first, four impacts send off the last of five balls") {
   World world;
@@ -297,8 +275,6 @@ TEST_CASE("exercise 09.1: the fastest first, four impacts send off the last of f
 
 // ---- 13: a slider ------------------------------------------------------------------------------------------------------
 
-namespace {
-
 Joint slider(const World& world, int a, int b, const Vec3& point, const Vec3& line) {
   check_joined(world, "a slider", a, b);
   const Body& carrier = body_of(world, a);
@@ -315,8 +291,6 @@ Joint slider(const World& world, int a, int b, const Vec3& point, const Vec3& li
   };
   return {"a slider", a, b, ask};
 }
-
-}  // namespace
 
 TEST_CASE("exercise 13.3: the slider's Jacobian is the derivative of its error, also off the line") {
   World world;
@@ -350,8 +324,6 @@ TEST_CASE("exercise 14.3: held from the hook, the chain with its weight does not
 
 // ---- 15: a rope --------------------------------------------------------------------------------------------------------
 
-namespace {
-
 Joint rope(const World& world, int a, const Vec3& point_a, int b, const Vec3& point_b, Real length) {
   Joint joint = distance(world, a, point_a, b, point_b, length);
   joint.name = "a rope";
@@ -366,8 +338,6 @@ Joint rope(const World& world, int a, const Vec3& point_a, int b, const Vec3& po
   };
   return joint;
 }
-
-}  // namespace
 
 TEST_CASE("exercise 15.3: the rope pulls from step 24 on, and is never longer than 1.0062 m") {
   World world;
@@ -389,18 +359,12 @@ TEST_CASE("exercise 15.3: the rope pulls from step 24 on, and is never longer th
 
 // ---- 18: where DirectJoints stands -------------------------------------------------------------------------------------
 
-namespace {
-
 using Hanging = Solver<DirectJoints>;                                                   // one sweep is all
 using Touching = Solver<Clamping, Baumgarte, Slop, Friction, WarmStart, DirectJoints>;  // last: the last word
 
 static_assert(std::derived_from<Hanging, SupportsJoints> && std::derived_from<Touching, SupportsJoints>);
 
-}  // namespace
-
 // ---- 20: a question more -----------------------------------------------------------------------------------------------
-
-namespace {
 
 /// Is there gravity?
 struct NeedsGravity {
@@ -411,8 +375,6 @@ struct NeedsGravity {
   }
 };
 
-}  // namespace
-
 TEST_CASE("exercise 20.3: a scene says whether it has gravity") {
   World world;
   CHECK(NeedsGravity::in(world).yes);
@@ -422,8 +384,6 @@ TEST_CASE("exercise 20.3: a scene says whether it has gravity") {
 }
 
 // ---- docs/hard_cases.md: a case more -----------------------------------------------------------------------------------
-
-namespace {
 
 const friction_scenes::Push push{.v0 = 3, .mu = Real(0.5)};
 const Real expected = friction_scenes::start + push.stopping_distance(h);  // m, from the origin
@@ -444,11 +404,11 @@ HardCase box_slides() {
   return c;
 }
 
-}  // namespace
-
 TEST_CASE("docs/hard_cases.md: the case that it adds passes with friction, and fails without") {
   const HardCase c = box_slides();
   Trial rubbed(stage_named("06 friction")), smooth(stage_named("05 restitution"));
   CHECK(c.run(rubbed)[0] <= c.criteria[0].limit);
   CHECK(c.run(smooth)[0] > c.criteria[0].limit);
 }
+
+}  // namespace

@@ -9,11 +9,6 @@
 #include "pushback/tools/catalogue/catalogue.h"
 #include "tests/support/call.h"
 
-/// The root of the sources, as seen from the working directory of the tests.
-#ifndef SOURCE_DIR
-#define SOURCE_DIR "."
-#endif
-
 using namespace pushback;
 
 TEST_CASE("chapter 20's page counts the scenes and those that call for joints") {

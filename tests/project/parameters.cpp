@@ -8,11 +8,6 @@
 
 #include "tests/support/call.h"
 
-/// Where the chapters' executables are, from the working directory of the tests.
-#ifndef CHAPTER_DIR
-#define CHAPTER_DIR "build/release/programs"
-#endif
-
 namespace {
 
 struct Slider {

@@ -4,11 +4,6 @@
 
 #include "tests/project/links.h"
 
-/// The root of the sources, as seen from the working directory of the tests.
-#ifndef SOURCE_DIR
-#define SOURCE_DIR "."
-#endif
-
 namespace {
 
 std::string without_space(std::string text) {

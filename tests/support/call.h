@@ -16,6 +16,14 @@
 
 namespace fs = std::filesystem;
 
+/// The root of the sources and the chapters' programs, as seen from the working directory of the tests.
+#ifndef SOURCE_DIR
+#define SOURCE_DIR "."
+#endif
+#ifndef CHAPTER_DIR
+#define CHAPTER_DIR "build/release/programs"
+#endif
+
 inline std::string text_of(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
