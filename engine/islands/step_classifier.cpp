@@ -31,20 +31,21 @@ bool turns_or_pushes(const Body& ground, const Contact& at) {
 }
 
 /// The corner of a body that may get farthest along a direction n within dt. A turn moves a corner at r from the body's position by at
-/// most  dt n . (w x r) + dt^2/2 w^2 |r|  along n.
+/// most  dt n . (w x r) + dt^2/2 w^2 |r|  along n, and it gets no faster than  n . (w x r) + dt w^2 |r|.
 struct Corner {
   Real at;     // m, along it, from the world's origin
-  Real speed;  // m/s, as the body turns
+  Real speed;  // m/s, as the body turns: at the end of dt, at most
   Real way;    // m, in dt
 };
 Corner first_to_get(const Body& body, const Vec3& direction, Real dt) {
   const Quat to_body = body.orientation.conjugate();
   const Vec3& w = body.angular_velocity;
   const Vec3 n = to_body * direction, turning = body.movable() ? to_body * direction.cross(w) : Vec3::Zero();
-  const Real bend = dt * dt / 2 * w.squaredNorm(), centre = direction.dot(body.position);
+  const Real centre = direction.dot(body.position);
   Corner first{.at = -std::numeric_limits<Real>::infinity(), .speed = 0, .way = 0};
   for (const Vec3& r : corners_of_core(body)) {
-    const Corner corner{centre + n.dot(r), turning.dot(r), dt * turning.dot(r) + bend * r.norm()};
+    const Real speed = turning.dot(r), bends = dt * w.squaredNorm() * r.norm();
+    const Corner corner{centre + n.dot(r), speed + bends, dt * (speed + bends / 2)};
     if (corner.at + corner.way > first.at + first.way) first = corner;
   }
   return first;

@@ -158,7 +158,7 @@ TEST_CASE("each mistake is found where it is, and said as what it looks like") {
   found({.clock = [] { return 1.0; }}, "clock", "ms by its clock");
 }
 
-TEST_CASE("what an adapter says of a motion is what the engine behind it does, to the last bit") {
+TEST_CASE("what an adapter says of a motion is what the engine behind it does, to the last bit", "[slow]") {
   const InEnvironment ours("PUSHBACK_ADAPTER", OURS_PROGRAM);
   for (const Motion& motion : every_motion()) {
     const Ended played = call_program(MOTION_PROGRAM, motion.name + " ours/2/4 ours/4/2 --at-least 0", 60);

@@ -27,7 +27,8 @@ TEST_CASE("choose: what slides and what swings keeps what is asked, and that is 
   for (const char* scene : {"06-slide", "13-pendulums"})
     for (const auto& [asked, mm] : {std::pair("1mm", 1.0), {"10 um", 0.01}}) {
       const Ended ended =
-          call_program(CHOOSE_PROGRAM, fmt::format("{} --no-images --seconds 2 --error '{}'", scene, asked));
+          call_program(CHOOSE_PROGRAM, fmt::format("{} --no-images --seconds 2 --error '{}'", scene, asked),
+                       120);  // s: with sanitizers it takes more than 20
       INFO(scene << "\n" << ended.out << ended.err);
       REQUIRE(ended.status == 0);
       CHECK(error_of(ended.out, "measured:") <= 2 * mm);  // in two seconds

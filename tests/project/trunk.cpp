@@ -5,11 +5,6 @@
 
 #include "tests/project/links.h"
 
-/// The root of the sources, as seen from the working directory of the tests.
-#ifndef SOURCE_DIR
-#define SOURCE_DIR "."
-#endif
-
 namespace {
 
 constexpr const char* overview = "../../README.md#the-trunk";

@@ -50,11 +50,15 @@ inline Thrown thrown(std::uint64_t seed) {
   };
   if (target == 0) world.add(ground().rough(friction));
   if (target == 1) world.add(box({10, 1, 10}, 1).fixed().at({0, -1, 0}).rough(friction));
+  const auto towards = [&random](const Vec3& direction, Real fastest, Real aside) -> Vec3 {
+    const Vec3 ahead = random.between(1, fastest) * direction;  // apart, because operands have no order
+    return ahead + random.vector(aside);
+  };
   if (target < 2) {
-    add({0, Real(2.5), 0}, Vec3(0, -random.between(1, 6), 0) + random.vector(1));
+    add({0, Real(2.5), 0}, towards(-Vec3::UnitY(), 6, 1));
   } else {
-    add({-Real(2.5), 0, 0}, Vec3(random.between(1, 4), 0, 0) + random.vector(Real(0.3)));
-    add({Real(2.5), 0, 0}, Vec3(-random.between(1, 3), 0, 0) + random.vector(Real(0.3)));
+    add({-Real(2.5), 0, 0}, towards(Vec3::UnitX(), 4, Real(0.3)));
+    add({Real(2.5), 0, 0}, towards(-Vec3::UnitX(), 3, Real(0.3)));
   }
   return made;
 }
