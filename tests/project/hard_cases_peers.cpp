@@ -126,5 +126,6 @@ TEST_CASE("a program that plays is called by its name and with its case, and end
   const Ended called =
       call_program((scratch / "peers").string(), "slop --stages ODE --out '" + (scratch / "out").string() + "'");
   CHECK(called.status == 0);
-  CHECK(contains(text_of(scratch / "out/hard_cases/part/peers.csv"), "threw: --setting ODE --hard-case slop --starts 1 --out "));
+  CHECK(contains(text_of(scratch / "out/hard_cases/part/peers.csv"),
+                 "threw: --setting ODE --hard-case slop --starts 1 --out "));
 }
