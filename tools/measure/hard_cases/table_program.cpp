@@ -123,8 +123,8 @@ class TableRun {
     std::optional<Table> before;
     if (options_.renew) before = read(home_);
     make_writable_folder(folder);
-    Table table = played(std::move(cases), std::move(columns), shard,
-                         !shard.whole() || (!whole && (kind_.further.empty() || cases.size() <= 3)));
+    const bool all_numbers = !shard.whole() || (!whole && (kind_.further.empty() || cases.size() <= 3));
+    Table table = played(std::move(cases), std::move(columns), shard, all_numbers);
     if (before) table = renewed(*before, table, in_either(kind_.stages, *before, table));
     write(table, times_csv(table), folder);
     if (!shard.whole()) write_text_file(folder / "origin.txt", origin_text(origin_here()));
