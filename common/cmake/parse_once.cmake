@@ -1,9 +1,10 @@
 # Precompiled headers of other projects.
 #
 # Eigen, fmt and the standard library take half of a small file's compile time. The list below contains none of our headers, so a
-# change in ours does not parse it again. ccache has no hits with such headers unless CCACHE_SLOPPINESS makes it ignore macros. The
-# headers themselves need CCACHE_DEPEND: otherwise ccache takes an edit of comments for no change, and for g++ the header that it
-# parsed is then another file than the one that is there, so that `#pragma once` does not stop it from being included again.
+# change in ours does not parse it again. ccache has no hits with such headers unless CCACHE_SLOPPINESS makes it ignore macros.
+# Headers that HEADER adds may be ours. If only a comment in one of them changes, ccache without CCACHE_DEPEND returns the headers
+# as they were parsed before the change. g++ then does not recognise the changed file, and includes it again in spite of
+# `#pragma once`.
 set(with_headers ${CMAKE_CXX_COMPILER_LAUNCHER})
 set(of_headers ${CMAKE_CXX_COMPILER_LAUNCHER})
 if(CMAKE_CXX_COMPILER_LAUNCHER MATCHES "ccache$")

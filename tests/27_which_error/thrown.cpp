@@ -25,7 +25,7 @@ TEST_CASE("thrown bodies: no end is let in by more than a millimetre, elastic on
     }
 }
 
-TEST_CASE("thrown bodies: of 4,000 throws, few that turn fast are let in by more", "[checked]") {
+TEST_CASE("thrown bodies: few of 4,000 throws are let in by more, and none by more than 23 mm", "[checked]") {
   if (!in_double) return;
   int deep = 0;
   Real deepest = 0;
@@ -36,7 +36,7 @@ TEST_CASE("thrown bodies: of 4,000 throws, few that turn fast are let in by more
     deepest = std::max(deepest, after.deepest);
   }
   INFO(deep << " throws, " << deepest << " m");
-  CHECK(deep <= 13);
+  CHECK(deep <= 12);
   CHECK(deepest < Real(0.023));
 }
 
