@@ -5,7 +5,7 @@
 ///   world.step(solver, 1.0 / 60);
 #pragma once
 
-#include "pushback/engine/islands/island_solver.h"
+#include "pushback/engine/islands/twin_solver.h"
 
 namespace pushback {
 
@@ -20,10 +20,10 @@ struct Fast : WideSolver<float> {
 
 /// Gives each island the step that fits it. Few contacts and resting islands are solved together and to second order, and
 /// tumbling ones in 32 substeps, in double. With `error`, each island gets as many substeps as the error needs.
-using Recommended = IslandSolver;
+using Recommended = TwinSolver;
 
 /// The same with errors 4 to 30 times smaller, unless they are 0, in up to 2.5 times the time: 128 substeps, half steps in 8 and more.
-struct Exact : IslandSolver {
+struct Exact : TwinSolver {
   Exact() {
     substep_solver.substeps = 128;
     substep_solver.spring.hertz *= 4;  // as stiff as these substeps hold

@@ -1,8 +1,9 @@
 #include "pushback/chapters/27_which_error/choose.h"
 
-#include <chrono>
 #include <map>
 
+#include "pushback/chapters/27_which_error/play_within.h"
+#include "pushback/chapters/27_which_error/prediction.h"
 #include "pushback/chapters/27_which_error/scenes.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/named.h"
@@ -21,10 +22,6 @@ namespace pushback {
 using namespace which_error_scenes;
 
 namespace {
-
-constexpr Real dt = Real(1) / 60;
-constexpr Real diverged = 100;  // times the requested error: beyond it, places are meaningless
-constexpr int at_once = 15;     // steps
 
 /// Reads "1mm", "0.5 cm" or "2 ms". `units`: the size of each unit in m or s, the unit of the result. Throws InvalidInput.
 Real quantity(const std::string& option, const std::string& text, const std::map<std::string, Real>& units) {
@@ -51,106 +48,6 @@ Real quantity(const std::string& option, const std::string& text, const std::map
   return value;
 }
 
-struct Step {
-  double seconds;  // computing time
-  Real known;      // m
-  int bodies_kept, bodies;
-  std::size_t contacts;
-  BodyError most;  // of the body with the largest error in this step
-  std::map<std::string, int> ways;
-};
-struct Played {
-  std::vector<Step> steps;
-  std::vector<World> worlds;  // after each step
-
-  double seconds() const {
-    double all = 0;
-    for (const Step& step : steps) all += step.seconds;
-    return all;
-  }
-  /// The mean time of a step, s, without the first ones, which still allocate memory and fill caches.
-  double seconds_of_step() const {
-    const std::size_t first = std::min<std::size_t>(5, steps.size() / 2);
-    double all = 0;
-    for (std::size_t i = first; i < steps.size(); ++i) all += steps[i].seconds;
-    return all / static_cast<double>(steps.size() - first);
-  }
-  Real known() const {
-    Real largest = 0;
-    for (const Step& step : steps) largest = std::max(largest, step.known);
-    return largest;
-  }
-};
-
-std::string way_of(const BodyError& known) {
-  switch (known.how) {
-    case StepType::flight:
-      return "in flight";
-    case StepType::half_steps:
-      return known.order == 4 ? "steps of fourth order" : "half steps";
-    case StepType::substeps:
-      return "substeps";
-    case StepType::none:
-      break;
-  }
-  return "not at all";
-}
-
-Played play(World world, Real error, int steps) {
-  Painted solver(error);
-  Played played;
-  for (int i = 0; i < steps; ++i) {
-    const auto began = std::chrono::steady_clock::now();
-    solver.within.whole_step(world, dt, 1);
-    Step step{std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count(),
-              0,
-              0,
-              0,
-              world.contacts.size(),
-              {},
-              {}};
-    for (Body& body : world.bodies) {
-      if (!body.movable()) continue;
-      const BodyError known = solver.within.error_of(body.index);
-      body.coloured(static_cast<int>(paint_of(known)));
-      ++step.bodies;
-      step.bodies_kept += known.kept;
-      step.known = std::max(step.known, known.place);
-      if (known.step >= step.most.step) step.most = known;
-      ++step.ways[way_of(known)];
-    }
-    played.steps.push_back(step);
-    played.worlds.push_back(world);
-  }
-  return played;
-}
-
-/// The distance from the same scene in steps `finer` times shorter, within an error `finer` times smaller, after each 1/60 s, m.
-std::vector<Real> measure(World world, const Played& played, Real error, int finer) {
-  IslandSolver truth;
-  truth.error = error / static_cast<Real>(finer);
-  std::vector<Real> off;
-  for (const World& at : played.worlds) {
-    for (int i = 0; i < finer; ++i) world.step(truth, dt / static_cast<Real>(finer));
-    off.push_back(apart(at, world));
-  }
-  return off;
-}
-
-/// The rate at which a difference grows from `error` to `diverged` times that, 1/s. Nothing if it does not grow that far, or does so
-/// in fewer than `at_once` steps.
-std::optional<Real> growth(const std::vector<Real>& off, Real error) {
-  const auto first = std::find_if(off.begin(), off.end(), [&](Real x) { return x > error; });
-  const auto last = std::find_if(off.begin(), off.end(), [&](Real x) { return x > diverged * error; });
-  if (last == off.end() || last - first < at_once) return {};
-  return std::log(*last / *first) / (dt * static_cast<Real>(last - first));
-}
-
-/// The number of steps to rehearse: a fifth of them, but at most a second, and at least one.
-int rehearsed(int steps) {
-  return std::clamp(steps / 5, 1, 60);
-}
-
 std::string length_said(Real metres) {
   return metres < Real(1e-9) ? "less than 1e-6 mm" : fmt::format("{:.2g} mm", 1000 * metres);
 }
@@ -170,7 +67,7 @@ Camera camera_for(const std::vector<World>& worlds) {
 }
 
 void draw(const std::filesystem::path& folder, const std::string& name, const std::string& asked, const Played& played,
-          const std::vector<Real>& off) {
+          const std::vector<Real>& measured_off) {
   const Camera camera = camera_for(played.worlds);
   Painter painter(cell_width * 2, cell_width * 9 / 8);
   Sheet sheet;
@@ -178,9 +75,8 @@ void draw(const std::filesystem::path& folder, const std::string& name, const st
   sheet.scene = "within " + asked;
   sheet.caption = "The colour of a body: how it was moved in the latest step.";
   for (const auto& [paint, said] : {std::pair(Paint::flight, "in flight"),
-                                    {Paint::two, "one or two half steps"},
+                                    {Paint::few, "up to five half steps"},
                                     {Paint::more, "more half steps"},
-                                    {Paint::fourth, "fourth order"},
                                     {Paint::substeps, "substeps"}})
     sheet.legend.push_back({LegendEntry::Kind::body, body_ink(static_cast<int>(paint)), said});
   SheetRow row;
@@ -197,7 +93,7 @@ void draw(const std::filesystem::path& folder, const std::string& name, const st
   for (std::size_t i = 0; i < played.steps.size(); ++i) {
     times.push_back(played.worlds[i].time);
     known.push_back(1000 * played.steps[i].known);
-    measured.push_back(1000 * off[i]);
+    measured.push_back(1000 * measured_off[i]);
     micros.push_back(static_cast<Real>(1e6 * played.steps[i].seconds));
     substeps.push_back(static_cast<Real>(std::max(1, played.steps[i].most.substeps)));
     for (const auto& [way, count] : played.steps[i].ways) {
@@ -228,42 +124,39 @@ void draw(const std::filesystem::path& folder, const std::string& name, const st
                                     .curves = {{"", times, substeps, line_colour(3)}}}});
 }
 
-/// Warns that the prediction does not hold if a later step has more than twice the contacts of the rehearsal.
-void warn_of_later_contacts(const Played& rehearsal, const Played& played) {
-  const auto more = [](const Step& p, const Step& q) { return p.contacts < q.contacts; };
-  const auto most = std::max_element(rehearsal.steps.begin(), rehearsal.steps.end(), more)->contacts;
-  const auto first = std::find_if(played.steps.begin(), played.steps.end(),
-                                  [most](const Step& step) { return step.contacts > 2 * most; });
-  if (first == played.steps.end()) return;
-  const auto at = static_cast<std::size_t>(first - played.steps.begin());
-  fmt::print(
-      "The prediction does not hold: the rehearsal ended at {:.2g} s with at most {} contacts, and at {:.2g} s there "
-      "are "
-      "{}.\n",
-      static_cast<double>(rehearsal.worlds.back().time), most, static_cast<double>(played.worlds[at].time),
-      first->contacts);
+/// "3 ms in all, 50 us a step"
+std::string time_said(double seconds, std::size_t steps) {
+  return fmt::format("{:.3g} ms in all, {:.3g} us a step", 1e3 * seconds, 1e6 * seconds / static_cast<double>(steps));
 }
 
-void tell(const Played& played, const std::vector<Real>& off, Real error, const std::string& asked) {
+void tell(const Prediction& prediction, std::size_t steps) {
+  const auto or_why = [](const std::string& value, const std::string& why) {
+    return why.empty() ? value : "not predictable: " + why;
+  };
+  fmt::print("predicted: {}; error {}\n", or_why(time_said(prediction.seconds, steps), prediction.no_time),
+             or_why(length_said(prediction.error), prediction.no_error));
+  if (prediction.rehearsed > 0)
+    fmt::print("           from the whole scene in steps of 1/15 and 1/30 s, which took {:.3g} ms\n",
+               1e3 * prediction.rehearsed);
+}
+
+void tell(const Played& played, const std::vector<Real>& measured_off, Real error, const std::string& asked) {
   std::map<std::string, double> ways;
-  for (const Step& step : played.steps)
+  for (const PlayedStep& step : played.steps)
     for (const auto& [way, count] : step.ways) ways[way] += count;
   const double count = static_cast<double>(played.steps.size());
   fmt::print("\nmoved, on average: ");
   const char* between = "";
   for (const auto& [way, bodies] : ways)
     fmt::print("{}{:.3g} bodies {}", std::exchange(between, ", "), bodies / count, way);
-  const Real measured = *std::max_element(off.begin(), off.end());
-  fmt::print("\nmeasured:  {:.3g} ms in all, {:.3g} us a step; error {}\n", 1e3 * played.seconds(),
-             1e6 * played.seconds() / count, length_said(measured));
+  const Real measured = *std::max_element(measured_off.begin(), measured_off.end());
+  fmt::print("\nmeasured:  {}; error {}\n", time_said(played.seconds(), played.steps.size()), length_said(measured));
   int unkept = 0;
-  for (const Step& step : played.steps) unkept += step.bodies_kept < step.bodies;
+  for (const PlayedStep& step : played.steps) unkept += step.bodies_kept < step.bodies;
   if (unkept > 0)
-    fmt::print(
-        "In {} of {} steps {} is not kept by some island: something bounces, who touches first or sticks is decided "
-        "otherwise in more substeps, or their bound is reached.\n",
-        unkept, played.steps.size(), asked);
-  if (const std::optional<Real> rate = growth(off, error))
+    fmt::print("In {} of {} steps the solver said that some body may be off by more than {}.\n", unkept,
+               played.steps.size(), asked);
+  if (const std::optional<Real> rate = growth(measured_off, error, dt_within))
     fmt::print(
         "Places part by a factor of e every {:.2g} s: the scene is chaotic, and after some time no error of places can "
         "be kept.\n",
@@ -284,7 +177,7 @@ int choose_or_read(const std::vector<Scene>& scenes, const std::function<World(c
       "A scene within an error: which steps each island of it takes, what that costs, and how far off it then is.");
   std::string name, error_text = "1mm", budget_text;
   double seconds = 3;
-  int finer = 64;
+  int finer = 16;
   std::filesystem::path out = "renders/here";
   bool no_images = false;
   auto which = line.option("scene", name, read ? "A scene, or a file of one in JSON: NAME.json" : "A scene");
@@ -312,7 +205,7 @@ int choose_or_read(const std::vector<Scene>& scenes, const std::function<World(c
       named("scene", scenes, name).fill(begin);
     }
     require_between("--seconds", static_cast<Real>(seconds), Real(0.1), 60);  // the range above lets nan pass
-    const int steps = static_cast<int>(std::lround(seconds / static_cast<double>(dt)));
+    const int steps = static_cast<int>(std::lround(seconds / static_cast<double>(dt_within)));
     const std::map<std::string, Real> lengths{{"m", 1}, {"cm", Real(1e-2)}, {"mm", Real(1e-3)}, {"um", Real(1e-6)}};
     Real error = quantity("--error", error_text, lengths);
     std::string asked = error_text;
@@ -323,8 +216,11 @@ int choose_or_read(const std::vector<Scene>& scenes, const std::function<World(c
       std::optional<Real> best;
       for (int power = 0; power <= 10; ++power) {
         const Real tried = Real(0.1) * std::pow(Real(10), -static_cast<Real>(power) / 2);
-        const Played first = play(begin, tried, rehearsed(steps));
-        const Real took = static_cast<Real>(first.seconds_of_step());
+        const Prediction first = predict(begin, tried, steps);
+        if (!first.no_time.empty())
+          throw InvalidInput(
+              fmt::format("--budget is {}, but the time is not predictable: {}", budget_text, first.no_time));
+        const Real took = static_cast<Real>(first.seconds / steps);
         fmt::print("within {:<8} {:8.3g} us a step\n", length_said(tried) + ":", 1e6 * took);
         if (took <= *most) best = tried;
       }
@@ -333,23 +229,14 @@ int choose_or_read(const std::vector<Scene>& scenes, const std::function<World(c
       error = *best;
       asked = length_said(error);
     }
-    const Played first = play(begin, error, rehearsed(steps));
-    const double more = static_cast<double>(steps) / static_cast<double>(first.steps.size());
-    fmt::print(
-        "{}, {:g} s, within {} a second\nrehearsed: {:.2g} s\npredicted: {:.3g} ms in all, {:.3g} us a step; error "
-        "{}\n",
-        name, seconds, asked, static_cast<double>(first.worlds.back().time), 1e3 * first.seconds_of_step() * steps,
-        1e6 * first.seconds_of_step(), length_said(first.known() * static_cast<Real>(more)));
-    if (std::any_of(first.steps.begin(), first.steps.end(),
-                    [](const Step& step) { return step.bodies_kept < step.bodies; }))
-      fmt::print("It will not be kept by all islands in all steps.\n");
+    fmt::print("{}, {:g} s, within {} a second\n", name, seconds, asked);
+    tell(predict(begin, error, steps), static_cast<std::size_t>(steps));
     std::fflush(stdout);
-    const Played played = play(begin, error, steps);
-    const std::vector<Real> off = measure(begin, played, error, finer);
-    warn_of_later_contacts(first, played);
-    tell(played, off, error, asked);
+    const Played played = play_within(begin, error, steps);
+    const std::vector<Real> measured_off = off(begin, played, error, finer);
+    tell(played, measured_off, error, asked);
     if (no_images) return;
-    draw(out / "choose" / slug(name), name, asked, played, off);
+    draw(out / "choose" / slug(name), name, asked, played, measured_off);
     fmt::print("{}\n{}\n", (out / "choose" / slug(name) / "sheet.png").string(),
                (out / "choose" / slug(name) / "plot.png").string());
   });

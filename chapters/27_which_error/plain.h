@@ -1,81 +1,82 @@
-/// The error of a step and the number of substeps of the next one, as plain functions, and a pendulum that is stepped by them.
+/// A bar that bounces, and two estimates of its error: a sum over steps, each taken twice from the same state, and a twin.
 #pragma once
 
 #include <cmath>
-#include <limits>
 
-#include "pushback/chapters/24_half_step/plain.h"
+#include "pushback/common/world/world.h"
 
 namespace pushback::plain_27 {
 
-/// The error of a place, m, from the same step in n substeps, `fine`, and in n / 2, `coarse`. The coarse result has 2^order times the
-/// error of the fine one, so their difference is 2^order - 1 times that error.
-inline Real off_by(Real coarse, Real fine, int order) {
-  return std::abs(coarse - fine) / (std::exp2(static_cast<Real>(order)) - 1);
+/// A thin bar of 1 m and 1 kg in a plane, above a smooth floor at y = 0. It bounces with e = 1.
+struct Bar {
+  Real y, v;         // of its centre, m, m/s, upwards
+  Real angle, spin;  // to the floor, rad, rad/s
+};
+constexpr Real half_length = Real(0.5), inertia = Real(1) / 12;  // m; kg m^2
+
+inline Bar moved(const Bar& bar, Real t) {
+  return {bar.y + t * bar.v, bar.v, bar.angle + t * bar.spin, bar.spin};
 }
 
-/// A step that was tried.
-struct Tried {
-  int substeps;  // of this try
-  Real off;      // relative to the allowed error
-  Real before;   // the same for the try before, with half as many substeps; infinite: none
-  int order;
-};
-struct Bounds {
-  int least = 2, most = 16;  // substeps
-};
-struct Verdict {
-  bool stands;   // else the step is repeated from its start
-  bool kept;     // its error is within the allowed error
-  int substeps;  // of the next try, for the same step or the next one
-};
-
-/// Twice as many substeps if the error is too large, and the last doubling more than halved it. Half as many if their error, which is
-/// 2^order times as large, is below half of the allowed error.
-inline Verdict judge_try(const Tried& tried, const Bounds& bounds) {
-  const bool kept = tried.off <= 1, falls = tried.off < tried.before / 2;
-  if (!kept && falls && 2 * tried.substeps <= bounds.most) return {false, false, 2 * tried.substeps};
-  const Real off_with_half = tried.off * std::exp2(static_cast<Real>(tried.order));
-  const bool fewer = off_with_half < Real(0.5) && tried.substeps > bounds.least;
-  return {true, kept, fewer ? tried.substeps / 2 : tried.substeps};
+/// m: the height of its lower end.
+inline Real gap(const Bar& bar) {
+  return bar.y - half_length * std::abs(std::sin(bar.angle));
 }
 
-using plain_24::Bob;
-
-/// Chapter 24's half steps, which are of order 2.
-inline Bob advanced(Bob bob, const Vec3& g, Real h, int substeps) {
-  for (int i = 0; i < substeps; ++i) half_step(bob, g, h / static_cast<Real>(substeps));
-  return bob;
+/// m: how far its lower end is to the right of its centre.
+inline Real lower_arm(const Bar& bar) {
+  return (std::sin(bar.angle) > 0 ? -half_length : half_length) * std::cos(bar.angle);
 }
 
-/// m: the error of `fine` in place, plus the distance that its error in velocity adds in half a second.
-inline Real step_error(const Bob& coarse, const Bob& fine) {
-  const Real half_a_second = Real(0.5);
-  return off_by((coarse.x - fine.x).norm() + half_a_second * (coarse.v - fine.v).norm(), 0, 2);
+/// The impulse of chapter 5 at this arm, if that end approaches the floor.
+inline void bounce(Bar& bar, Real arm) {
+  const Real approach = bar.v + arm * bar.spin;
+  if (approach >= 0) return;
+  const Real impulse = -2 * approach / (1 + arm * arm / inertia);
+  bar.v += impulse;
+  bar.spin += arm * impulse / inertia;
 }
 
-struct Step {
-  Bob bob;        // after it
-  int substeps;   // of it
-  Real estimate;  // of its error, m
-  bool kept;      // the estimate is within the allowed error
-  int next;       // substeps with which the next step begins
-};
+constexpr int most_impacts = 20;  // in a substep
 
-/// A step of h seconds, first tried in `substeps`, an even number. Its allowed error is `error` (m in a second) times h. The result of
-/// a try is the coarse result of the next try.
-inline Step controlled_step(const Bob& begin, const Vec3& g, Real h, Real error, int substeps, const Bounds& bounds) {
-  Real before = std::numeric_limits<Real>::infinity();
-  Bob coarse = advanced(begin, g, h, substeps / 2);
-  for (;;) {
-    const Bob fine = advanced(begin, g, h, substeps);
-    const Real estimate = step_error(coarse, fine), off = estimate / (error * h);
-    const Verdict verdict = judge_try({substeps, off, before, 2}, bounds);
-    if (verdict.stands) return {fine, substeps, estimate, verdict.kept, verdict.substeps};
-    before = off;
-    coarse = fine;
-    substeps = verdict.substeps;
+/// A substep of h seconds, of order 1: gravity acts at its start. It is cut at each impact, as in chapter 25.
+inline void substep(Bar& bar, Real h) {
+  bar.v -= World::g * h;
+  for (int impacts = 0; impacts < most_impacts && gap(moved(bar, h)) < 0; ++impacts) {
+    Real above = 0, below = h;
+    for (int i = 0; i < 50; ++i) {
+      const Real middle = (above + below) / 2;
+      (gap(moved(bar, middle)) < 0 ? below : above) = middle;
+    }
+    const Real arm = lower_arm(moved(bar, below));
+    bar = moved(bar, above);
+    bounce(bar, arm);
+    h -= above;
   }
+  bar = moved(bar, h);
+}
+
+inline Bar step(Bar bar, Real h, int substeps) {
+  for (int i = 0; i < substeps; ++i) substep(bar, h / static_cast<Real>(substeps));
+  return bar;
+}
+
+/// A bar, and what is said of its error.
+struct Played {
+  Bar bar, twin;    // `twin` begins equal to `bar`
+  Real halves = 0;  // m: the sum over all steps
+
+  Real said_by_twin() const { return std::abs(bar.y - twin.y) / 2; }
+};
+
+constexpr int fine = 64, coarse = 17;  // substeps in a step of the bar and of its twin
+
+inline void play_step(Played& played, Real h) {
+  const Bar half = step(played.bar, h, fine / 2);
+  played.bar = step(played.bar, h, fine);
+  // What is wrong with the velocity acts for half a second on average, if errors are asked of one second.
+  played.halves += std::abs(played.bar.y - half.y) + std::abs(played.bar.v - half.v) / 2;
+  played.twin = step(played.twin, h, coarse);
 }
 
 }  // namespace pushback::plain_27

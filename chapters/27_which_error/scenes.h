@@ -2,24 +2,25 @@
 #pragma once
 
 #include "pushback/chapters/26_to_each_its_own/scenes.h"
-#include "pushback/engine/islands/island_solver.h"
+#include "pushback/engine/islands/twin_solver.h"
 
 namespace pushback::which_error_scenes {
 
-/// Indices of the palette: mustard, teal, blue, olive and brick.
-enum class Paint { flight = 2, two = 1, more = 0, fourth = 5, substeps = 4 };
+/// Indices of the palette: mustard, teal, blue and brick.
+enum class Paint { flight = 2, few = 1, more = 0, substeps = 4 };
+
+constexpr int few_half_steps = 5;  // the fewest that a body with few contacts gets
 
 inline Paint paint_of(const BodyError& known) {
   if (known.how == StepType::flight) return Paint::flight;
   if (known.how == StepType::substeps) return Paint::substeps;
-  if (known.order == 4) return Paint::fourth;
-  return known.substeps > 2 ? Paint::more : Paint::two;  // a checked step has two, the next ones may have one
+  return known.substeps > few_half_steps ? Paint::more : Paint::few;
 }
 
 /// After each step, colours every movable body by how it was moved.
 class Painted : public ForwardingSolver {
  public:
-  IslandSolver within;
+  TwinSolver within;
 
   explicit Painted(Real error) { within.error = error; }
   SolveStats stats() const override { return within.stats(); }

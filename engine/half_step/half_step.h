@@ -12,9 +12,8 @@ namespace pushback {
 /// The result of one attempt at a step.
 struct StepOutcome {
   bool converged = false;
-  double work = 0;          ///< multiplications, roughly
-  Real energy_error = 0;    ///< as a fraction of what is allowed; see energy_control.h
-  Real position_error = 0;  ///< the same; see error_control.h
+  double work = 0;        ///< multiplications, roughly
+  Real energy_error = 0;  ///< as a fraction of what is allowed; see energy_control.h
 };
 
 /// A solver with an integrator of its own. World::step calls it at the usual times, and it does this:

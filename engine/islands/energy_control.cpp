@@ -9,6 +9,7 @@ namespace pushback {
 namespace {
 
 constexpr Real of_contacts = Real(0.01);  // of T + m (h g)^2 / 2: if contacts add more, they were not solved
+constexpr int pays_in_fourth_order = 4;   // half steps of a twin; with fewer, fourth order is not more exact
 constexpr Real of_their_own =
     Real(1) / 120;  // s: in shorter steps many contacts get one half step, as substeps are fewer, too
 
@@ -52,6 +53,30 @@ int most_half_steps(const IslandWorld& island, const IslandStep& step) {
   if (!island.world.joints.empty()) return step.settings.most_half_steps;
   if (!step.classifier.many_contacts(island.lowest())) return of_contacts_substeps;
   return std::min(of_contacts_substeps, static_cast<int>(std::ceil(step.dt / of_their_own)));
+}
+
+void take_given_steps(IslandWorld& island, IslandMemory& memory, const IslandStep& step) {
+  const GivenSteps& given = step.settings.given;
+  const bool many = step.classifier.many_contacts(island.lowest()), joints = !island.world.joints.empty();
+  int count = 1;
+  for (const int body : island.bodies())
+    if (step.whole.bodies[std::size_t(body)].movable()) count = std::max(count, given.of_body[std::size_t(body)]);
+  if (many) count = std::min(count, given.most_of_many);
+  island.fourth = joints && !island.impact && count >= 4 * pays_in_fourth_order;
+  island.set_order();
+  HalfStep& solver = island.half_step;
+  solver.threshold = 0;
+  solver.tolerance = std::min(solver.tolerance, given.tolerance);
+  if (!many) solver.most_work *= count;
+  if (island.fourth) count = (count + 2) / static_cast<int>(suzuki.size());
+  const int most_of_joints = step.settings.most_half_steps / static_cast<int>(island.fourth ? suzuki.size() : 1);
+  for (const int most = joints ? std::max(count, most_of_joints) : 4 * count;; count *= 2) {
+    const StepOutcome outcome = try_half_steps(island, step, memory.substeps = count);
+    island.held = std::isfinite(outcome.energy_error);
+    const bool enough = island.held && (!joints || outcome.energy_error <= 1);
+    if (enough || 2 * count > most || !can_double(island, outcome)) break;
+  }
+  if (island.fourth) memory.substeps *= static_cast<int>(suzuki.size());
 }
 
 void control_by_energy(IslandWorld& island, IslandMemory& memory, const IslandStep& step) {

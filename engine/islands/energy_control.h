@@ -39,6 +39,9 @@ StepOutcome try_half_steps(IslandWorld& island, const IslandStep& step, int subs
 /// many. Sets `island.held` if the island has been moved.
 void control_by_energy(IslandWorld& island, IslandMemory& memory, const IslandStep& step);
 
+/// As many half steps as IslandSettings::given says, and more if the energy of joined bodies needs them. Sets `island.held` likewise.
+void take_given_steps(IslandWorld& island, IslandMemory& memory, const IslandStep& step);
+
 /// The most half steps that the island may get.
 int most_half_steps(const IslandWorld& island, const IslandStep& step);
 

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "pushback/common/basics/input.h"
-#include "pushback/engine/islands/error_control.h"
 
 namespace pushback {
 
@@ -44,12 +43,6 @@ void IslandSettings::check() const {
     throw InvalidInput(
         fmt::format("most_half_steps is {}: no less than joint_half_step.substeps is needed, which is {}",
                     most_half_steps, joint_half_step.substeps));
-  if (!(error > 0)) throw InvalidInput(fmt::format("error is {}: a length above 0 is needed", error));
-  if (check_every < 1)
-    throw InvalidInput(fmt::format("check_every is {}: a whole number, 1 or more, is needed", check_every));
-  if (most_substeps < ErrorControl::least_substeps)
-    throw InvalidInput(
-        fmt::format("most_substeps is {}: {} or more is needed", most_substeps, ErrorControl::least_substeps));
 }
 
 }  // namespace pushback

@@ -2,12 +2,22 @@
 #pragma once
 
 #include <limits>
+#include <vector>
 
 #include "pushback/engine/half_step/half_step.h"
 #include "pushback/engine/islands/step_classifier.h"
 #include "pushback/engine/islands/work_budget.h"
 
 namespace pushback {
+
+/// Half steps that something outside the solver has chosen: see TwinSolver.
+struct GivenSteps {
+  std::vector<int> of_body;  ///< in a step; an island gets the largest number of its bodies
+  int most_of_many = 0;      ///< in a step, of islands with many contacts, which have to pay for them
+  int substeps = 0;          ///< in a step of the bodies that get substeps, on springs as stiff as these hold
+  Real tolerance = 0;        ///< m or rad: the largest |C|
+  Real threshold = 0;        ///< m/s: what approaches more slowly does not bounce, and is at rest
+};
 
 struct IslandSettings {
   HalfStepSettings contact_half_step{.substeps = 2, .most_work = 1e6};  ///< 1e6 multiplications take one or two ms
@@ -21,11 +31,8 @@ struct IslandSettings {
   WorkBudgetSettings budget;
   Real energy = Real(1e-5);   ///< the energy error of a step that is allowed, as a fraction of T + m (h g)^2 / 2
   int most_half_steps = 128;  ///< of joints in a step
-
-  /// m: the allowed position error after one second. If it is infinite, only the energy is checked.
-  Real error = std::numeric_limits<Real>::infinity();
-  int most_substeps = 128;  ///< in a step, with `error`
-  int check_every = 4;      ///< steps: with `error`, how often a step is taken twice if nothing changes
+  /// If there are any, islands get these half steps, instead of as many as their energy needs.
+  GivenSteps given;
 
   /// Throws InvalidInput if a setting cannot be used.
   void check() const;

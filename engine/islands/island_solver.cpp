@@ -1,5 +1,7 @@
 #include "pushback/engine/islands/island_solver.h"
 
+#include <utility>
+
 #include "pushback/common/world/step.h"
 
 namespace pushback {
@@ -8,7 +10,8 @@ namespace {
 
 constexpr int waits_after_failing = 10;  // steps; twice as many after each further failure,
 constexpr int most_failures = 4;         // up to this many
-constexpr int most_meetings = 8;  // in a step that is taken again for them; then the bodies that meet get substeps
+constexpr int most_meetings = 8;      // in a step that is taken again for them; then the bodies that meet get substeps
+constexpr Real stiffest = Real(1e9);  // Hz: SoftContacts makes it the largest that substeps hold, 1 / (8 h)
 constexpr double of_resting_contact =
     750;  // multiplications, for a contact that bears the same load in a half step as before
 
@@ -42,7 +45,6 @@ void IslandSolver::whole_step(World& world, Real dt, int sweeps) {
   contacts_.find(world, plan, dt);
   memory_.resize(world.bodies.size());
   for (IslandMemory& memory : memory_) memory.waits = std::max(0, memory.waits - 1);
-  errors_.begin(world);
   call_by_call_ = false;
   solved_ = {};
   for (int meetings = 0;; ++meetings) {
@@ -52,8 +54,7 @@ void IslandSolver::whole_step(World& world, Real dt, int sweeps) {
     if (too_many || !others_were_met(world, dt)) break;
   }
   fall_back(world);
-  const SubstepPass pass{substep_solver, inner(), *this, dt, sweeps};
-  add_up(errors_.step_remaining(remaining_, world, classifier_, contacts_.found, pass));
+  add_up(step_remaining(world, dt, sweeps));
   commit(world, dt);
 }
 
@@ -67,16 +68,12 @@ int IslandSolver::half_steps_of(int body) {
   return memory_[std::size_t(classifier_.island_of(body))].substeps;
 }
 
-BodyError IslandSolver::error_of(int body) {
-  const bool substeps = step_of(body) == StepType::substeps;
-  return errors_.error_of(body, classifier_, *this, substeps ? substep_solver.substeps : half_steps_of(body));
-}
-
 /// Makes islands, and a world of each that gets half steps. Islands that have to wait, or cannot pay, get substeps.
 void IslandSolver::classify(World& world, bool too_many_meetings, Real dt) {
   ClassifierLimits now = limits;
   if (too_many_meetings) now.most = now.most_kept = now.most_meeting = 0;
-  classifier_.classify(world, contacts_.found, dt, substep_solver.threshold, now);
+  const Real threshold = given.of_body.empty() ? substep_solver.threshold : given.threshold;
+  classifier_.classify(world, contacts_.found, dt, threshold, now);
   budgets_.pool(world, classifier_, budget);
   for (const Body& body : world.bodies) {
     if (step_of(body.index) != StepType::half_steps) continue;
@@ -114,13 +111,17 @@ void IslandSolver::step_island(IslandWorld& island, const IslandStep& step) {
     solver.fall_back_to_full_solve = false;
   }
   IslandMemory& memory = memory_[std::size_t(lowest)];
-  errors_.control(island, memory, step);
+  const auto control = [&] {
+    if (given.of_body.empty()) control_by_energy(island, memory, step);
+    else take_given_steps(island, memory, step);
+  };
+  control();
   if (island.held && !island.impact && !many && lets_in(island, classifier_)) {
     island.impact = true;
     classifier_.mark_impact(lowest);
     island.set(contact_half_step);
     island.set_order();
-    errors_.control(island, memory, step);
+    control();
   }
   if (many) {
     const double work = solver.work() + of_resting_contact * classifier_.contacts(lowest) * memory.substeps;
@@ -180,12 +181,26 @@ void IslandSolver::fall_back(const World& world) {
   budgets_.share_out(world, classifier_, budget);
 }
 
+SolveStats IslandSolver::step_remaining(World& world, Real dt, int sweeps) {
+  const auto step = [&] {
+    return remaining_.step(world, classifier_, contacts_.found, {substep_solver, inner(), *this, dt, sweeps});
+  };
+  if (given.of_body.empty()) return step();
+  const int substeps = std::exchange(substep_solver.substeps, given.substeps);
+  const Real hertz = std::exchange(substep_solver.spring.hertz, stiffest);
+  const Real threshold = std::exchange(substep_solver.threshold, given.threshold);
+  const SolveStats stats = step();
+  substep_solver.substeps = substeps, substep_solver.spring.hertz = hertz, substep_solver.threshold = threshold;
+  return stats;
+}
+
 void IslandSolver::commit(World& world, Real dt) {
   for (Body& body : world.bodies)
-    if (step_of(body.index) == StepType::flight)
-      fly(body, world.gravity, ErrorControl::parts_of_flight(body, *this, dt), dt);
+    if (step_of(body.index) == StepType::flight) {
+      const bool in_parts = tumbles(body) && !given.of_body.empty();  // its position is exact in one
+      fly(body, world.gravity, in_parts ? given.of_body[std::size_t(body.index)] : 1, dt);
+    }
   islands_.commit(world, world.dt_before / dt);
-  errors_.end(classifier_, dt);
 }
 
 void IslandSolver::add_up(const SolveStats& solved) {

@@ -1,13 +1,10 @@
 /// Each island of a world by the step that fits it.
-///
-///   IslandSolver solver;
-///   solver.error = 1e-3;  // m. Without it only the energy is checked
-///   world.step(solver, 1.0 / 60);
 #pragma once
 
 #include "pushback/common/world/forwarding_solver.h"
-#include "pushback/engine/islands/error_control.h"
+#include "pushback/engine/islands/energy_control.h"
 #include "pushback/engine/islands/island_worlds.h"
+#include "pushback/engine/islands/remaining_bodies.h"
 #include "pushback/engine/islands/step_contacts.h"
 #include "pushback/engine/islands/work_budgets.h"
 
@@ -25,7 +22,7 @@ namespace pushback {
 ///
 /// Half steps of resting islands cost next to nothing, however many contacts there are. In a tumbling island they can cost a hundred times
 /// as much as substeps. So if contacts are many, half steps are paid for from savings: see work_budget.h. The number of half steps follows
-/// from the energy (energy_control.h) or from `error` (error_control.h). An island that half steps cannot move gets substeps, for a while.
+/// from the energy (energy_control.h), or TwinSolver gives it. An island that half steps cannot move gets substeps, for a while.
 ///
 /// Between steps the solver remembers for each body how it was moved, and in how many substeps. A program that composes its steps itself,
 /// as chapter 20's sleep does, uses `substep_solver` only.
@@ -45,13 +42,9 @@ class IslandSolver : public ForwardingSolver, public IslandSettings {
   StepType step_of(int body) const { return classifier_.step_of(body); }
   /// The half steps of its island; 0 for a body that was moved otherwise.
   int half_steps_of(int body);
-  /// The estimated error of a body, if `error` is set. Empty for a body that the step did not know.
-  BodyError error_of(int body);
   const StepClassifier& classifier() const { return classifier_; }
   /// The islands that half steps moved, or were tried on.
   const IslandWorlds& islands() const { return islands_; }
-  /// Errors count from now on.
-  void forget_errors() { errors_.forget(); }
 
  private:
   StepSolver& inner() override { return substep_solver; }
@@ -62,6 +55,7 @@ class IslandSolver : public ForwardingSolver, public IslandSettings {
   void step_island(IslandWorld& island, const IslandStep& step);
   bool others_were_met(const World& world, Real dt);
   void fall_back(const World& world);
+  SolveStats step_remaining(World& world, Real dt, int sweeps);
   void commit(World& world, Real dt);
   void add_up(const SolveStats& solved);
 
@@ -69,7 +63,6 @@ class IslandSolver : public ForwardingSolver, public IslandSettings {
   StepClassifier classifier_;
   WorkBudgets budgets_;
   IslandWorlds islands_;
-  ErrorControl errors_;
   RemainingBodies remaining_;
   std::vector<IslandMemory> memory_;  // of each body that is the lowest of its island
   SolveStats solved_;                 // of all islands so far

@@ -155,14 +155,18 @@ TEST_CASE("what falls to 0 has no limit but a bound, which is no less than what 
 
 namespace {
 
-/// What `measure` throws where a program is a script: it prints what `answers`, lines of a shell's case, say.
+/// A script: it prints `methods`, and for settings what `answers` says, lines of a shell's case.
+void write_program(const fs::path& file, const std::string& methods, const std::string& answers) {
+  std::ofstream(file) << "#!/bin/sh\nshift\n"
+                      << "if [ $# = 0 ]; then printf '" << methods << "'; exit 0; fi\n"
+                      << "for s in \"$@\"; do case $s in --*) break;; " << answers << " esac; done\nexit 0\n";
+  fs::permissions(file, fs::perms::owner_all);
+}
+
+/// What `measure` throws with such a program.
 std::string failure(const std::string& methods, const std::string& answers) {
   const Scratch scratch;
-  std::ofstream(scratch / "motion_odd") << "#!/bin/sh\nshift\n"
-                                        << "if [ $# = 0 ]; then printf '" << methods << "'; exit 0; fi\n"
-                                        << "for s in \"$@\"; do case $s in --*) break;; " << answers
-                                        << " esac; done\nexit 0\n";
-  fs::permissions(scratch / "motion_odd", fs::perms::owner_all);
+  write_program(scratch / "motion_odd", methods, answers);
   Motion motion = motion_named("bounce");
   motion.most_substeps = motion.most_passes = 2;
   motion.most_sweeps = 1;
@@ -199,6 +203,26 @@ TEST_CASE("a program that fails, or prints what is no measurement, is named") {
   CHECK(failure("a/SMALL-STEPS/SWEEPS: method\\n", good).empty());
   CHECK(failure("", good).empty());                                              // it plays nothing of this
   CHECK(failure("a/SMALL-STEPS/SWEEPS: method\\n", "*) kill -9 $$;;").empty());  // what crashes is lost
+}
+
+TEST_CASE("one method is measured again, as often as before, and nothing else") {
+  const Scratch scratch;
+  write_program(scratch / "motion_odd", "", "*) echo \"$s error 2e-3 seconds 2e-2 row-solves 5\";;");
+  const auto before = [](const std::string& method, int substeps, const std::vector<double>& seconds) {
+    return Measured{
+        .engine = "motion_odd", .method = method, .substeps = substeps, .sweeps = 1, .error = 1, .seconds = seconds};
+  };
+  Measurements all{before("a", 1, {1, 2, 3}), before("b", 1, {1, 2}), before("a", 2, {1})};
+  const auto again = [&](const std::string& method) {
+    return measure_again(method, motion_named("bounce"), {.engines = {}, .programs = scratch / "."}, all);
+  };
+  CHECK(again("a") == 2);
+  CHECK(all[0].seconds == std::vector<double>(3, 0.02));
+  CHECK(all[1].seconds == std::vector<double>{1, 2});
+  CHECK(all[2].seconds == std::vector<double>{0.02});
+  CHECK(all[0].error == 2e-3);
+  CHECK(all[1].error == 1);
+  CHECK(again("c") == 0);
 }
 
 TEST_CASE("what is no line of measurements is refused") {
@@ -272,6 +296,7 @@ TEST_CASE("the study refuses what it cannot do, before it has written anything")
   for (const auto& [arguments, part] : std::vector<std::pair<std::string, std::string>>{
            {"--only nothing", "'nothing'"},
            {"--join 1", "--join"},
+           {"--renew within", "study.csv"},
            {"--shard 2/2 --only bounce", "there are 1 motions, and each part needs one"}}) {
     const Ended ended = call_program(STUDY_PROGRAM, arguments + " --out '" + (scratch / "out").string() + "'");
     INFO(arguments << ": " << ended.err);

@@ -1,96 +1,86 @@
-/// Chapter 27: the plain form of the estimate and its controller, compared with the engine's and with a pendulum's true error.
+/// Chapter 27: the two estimates of plain.h, compared with closed forms and with the true error of many bars.
 #include "pushback/chapters/27_which_error/plain.h"
 
-#include "pushback/chapters/13_joints/distance.h"
-#include "pushback/engine/islands/estimate.h"
-#include "pushback/engine/islands/island_solver.h"
-#include "tests/27_which_error/played.h"
 #include "tests/support/catch.h"
 #include "tests/support/yardstick.h"
 
 using namespace pushback;
+using namespace pushback::plain_27;
 
 namespace {
 
-plain_24::Bob released_at(Real angle) {
-  return {{std::sin(angle), -std::cos(angle), 0}, Vec3::Zero(), 1};
+Real energy(const Bar& bar) {
+  return (bar.v * bar.v + inertia * bar.spin * bar.spin) / 2 + World::g * bar.y;
 }
-const Vec3 gravity(0, -g, 0);
 
-/// m: what an estimate estimates.
-Real distance_in_half_a_second(const plain_24::Bob& one, const plain_24::Bob& other) {
-  return (one.x - other.x).norm() + (one.v - other.v).norm() / 2;
+/// m: the largest true error of a bar in two seconds, and the largest that each estimate says.
+struct Largest {
+  Real error = 0, halves = 0, twin = 0;
+};
+Largest largest_of(const Bar& begin) {
+  Played played{begin, begin};
+  Bar truth = begin;
+  Largest of;
+  for (int i = 0; i < 120; ++i) {
+    play_step(played, h);
+    truth = step(truth, h, 4096);
+    of.error = std::max(of.error, std::abs(played.bar.y - truth.y));
+    of.halves = std::max(of.halves, played.halves);
+    of.twin = std::max(of.twin, played.said_by_twin());
+  }
+  return of;
 }
 
 }  // namespace
 
-TEST_CASE("plain controller: each of its decisions is the engine's") {
-  constexpr Real none = std::numeric_limits<Real>::infinity();
-  const plain_27::Bounds bounds;
-  for (const int order : {1, 2, 4}) {
-    CHECK(plain_27::off_by(3, 1, order) == 2 / parts_of_difference(order));
-    CHECK(plain_27::off_by(1, 3, order) == 2 / parts_of_difference(order));
-    for (int substeps = bounds.least; substeps <= bounds.most; substeps *= 2)
-      for (const Real before : {none, Real(8), Real(2), Real(0.5)})
-        for (Real off = Real(0.01); off < 10; off *= Real(1.07)) {
-          CAPTURE(order, substeps, before, off);
-          const Worth now = worth(off, before);
-          const bool again = now == Worth::more && 2 * substeps <= bounds.most;
-          const bool fewer = !again && fewer_will_do(off, order) && substeps > bounds.least;
-          const plain_27::Verdict verdict = plain_27::judge_try({substeps, off, before, order}, bounds);
-          CHECK(verdict.stands == !again);
-          CHECK(verdict.kept == (now == Worth::kept));
-          CHECK(verdict.substeps == (again ? 2 * substeps : fewer ? substeps / 2 : substeps));
-        }
+TEST_CASE("plain estimates: while a bar falls, halves say its true error, and the twin 1.38 times that") {
+  const Bar begin{20, 1, 1, 2};
+  Played played{begin, begin};
+  for (int i = 1; i <= 60; ++i) {
+    play_step(played, h);
+    const Real t = static_cast<Real>(i) * h, error = World::g * h * t / (2 * fine);
+    const Real true_y = begin.y + begin.v * t - World::g * t * t / 2;
+    CHECK(true_y - played.bar.y == Approx(error));
+    CHECK(played.halves == Approx(error));
+    CHECK(played.said_by_twin() == Approx(error * (Real(fine) / coarse - 1) / 2));
   }
 }
 
-TEST_CASE("plain controller: the estimate of each step is its true error, within the bounds that the page names") {
-  if (!in_double) return;
-  for (const Real degrees : {Real(10), Real(60), Real(120), Real(170)})
-    for (const Real error : {Real(1e-2), Real(1e-3), Real(1e-4), Real(1e-5)}) {
-      CAPTURE(degrees, error);
-      plain_24::Bob bob = released_at(degrees * pi / 180);
-      Real estimates = 0, truths = 0;
-      for (int step = 0, substeps = 2; step < 600; ++step) {
-        const plain_27::Step done = plain_27::controlled_step(bob, gravity, h, error, substeps, {});
-        const plain_24::Bob fine = plain_27::advanced(bob, gravity, h, 64 * done.substeps);
-        const Real truth = distance_in_half_a_second(done.bob, fine);
-        REQUIRE(std::abs(done.estimate - truth) < Real(0.01) * error * h);
-        if (degrees < 90) REQUIRE(done.estimate / truth == Approx(Real(1.0015)).margin(0.0015));
-        REQUIRE((!done.kept || truth < Real(1.01) * error * h));
-        estimates += done.estimate;
-        truths += truth;
-        bob = done.bob;
-        substeps = done.next;
-      }
-      CHECK(estimates / truths == Approx(Real(1.002)).margin(0.002));
+TEST_CASE("plain estimates: a bounce keeps the energy, and leaves no end below the floor") {
+  for (int degrees = 1; degrees < 90; degrees += 4)
+    for (const Real spin : {Real(-6), Real(0), Real(6)}) {
+      Bar bar{1, -3, static_cast<Real>(degrees) * pi / 180, spin};
+      const Real before = energy(bar);
+      bounce(bar, lower_arm(bar));
+      CHECK(energy(bar) == Approx(before));
     }
-}
-
-TEST_CASE("plain controller: the engine takes the same pendulum in the same substeps, with the same estimates") {
-  if (!in_double) return;
-  for (const Real error : {Real(1e-2), Real(1e-3), Real(3e-4)}) {
-    CAPTURE(error);
-    plain_24::Bob bob = released_at(pi / 3);
-    World world;
-    world.add(sphere(Real(0.1), 1).at(bob.x));
-    world.joints.push_back(distance(world, the_world, Vec3::Zero(), 0, bob.x));
-    IslandSolver solver = which_error_tests::within(error);
-    solver.check_every = 1;
-    solver.energy = 1;  // so that the position error decides, and not the energy error
-    solver.joint_half_step.tolerance = Real(1e-13);
-    const plain_27::Bounds bounds{2, 8};  // beyond 8 half steps the engine composes steps of fourth order
-    for (int step = 0, substeps = 2; step < 600; ++step) {
-      const plain_27::Step done = plain_27::controlled_step(bob, gravity, h, error, substeps, bounds);
-      world.step(solver, h);
-      const BodyError known = solver.error_of(0);
-      REQUIRE(done.substeps == known.substeps);
-      REQUIRE(done.kept == known.kept);
-      REQUIRE(done.estimate == Approx(known.step).epsilon(1e-7));
-      REQUIRE((world.bodies[0].position - done.bob.x).norm() < Real(1e-12));
-      bob = done.bob;
-      substeps = done.next;
+  for (int degrees = 0; degrees <= 90; degrees += 5) {
+    Bar bar{1, 0, static_cast<Real>(degrees) * pi / 180, 0};
+    for (int i = 0; i < 120; ++i) {
+      bar = step(bar, h, fine);
+      REQUIRE(gap(bar) > Real(-1e-9));
     }
   }
+}
+
+TEST_CASE("plain estimates: of bars, halves say less than a third of the error far more often than a twin") {
+  int bars = 0, past_halves = 0, past_twin = 0;
+  for (Real height = Real(0.6); height < 2; height += Real(0.1))
+    for (Real angle = Real(0.07); angle < Real(1.5); angle += Real(0.15)) {
+      const Largest of = largest_of({height, 0, angle, 0});
+      ++bars;
+      past_halves += of.error > 3 * of.halves;
+      past_twin += of.error > 3 * of.twin;
+    }
+  INFO(past_halves << " and " << past_twin << " of " << bars);
+  CHECK(past_halves > bars / 8);
+  CHECK(past_twin < bars / 16);
+}
+
+TEST_CASE(
+    "plain estimates: the error of the page's bar exceeds what halves say nine times, and what its twin says by less "
+    "than 2") {
+  const Largest of = largest_of({1, 0, Real(0.7), 0});
+  CHECK(of.error / of.halves == Approx(9.4).margin(0.2));
+  CHECK(of.error < 2 * of.twin);
 }

@@ -3,7 +3,6 @@
 
 #include "pushback/chapters/13_joints/ball_and_socket.h"
 #include "pushback/chapters/19_accuracy_and_time/truth.h"
-#include "pushback/chapters/25_moment_of_impact/scenes.h"
 #include "pushback/common/bodies/random.h"
 #include "tests/27_which_error/played.h"
 #include "tests/support/catch.h"
@@ -17,29 +16,20 @@ constexpr std::array errors{Real(1e-2), Real(1e-3), Real(1e-4), Real(1e-5)};  //
 
 /// Scenes within one error.
 struct Tally {
-  int scenes = 0, kept = 0, missed_by_3 = 0, missed_unsaid = 0;
-  Real largest = 0;
+  int scenes = 0, within = 0, flagged = 0, missed_unsaid = 0;
+  Real largest = 0;  // in parts of the error, until it is said that it is not kept
   void add(const Fared& fared) {
     ++scenes;
-    kept += fared.off <= 1;
-    missed_by_3 += fared.off > 3;
-    missed_unsaid += fared.off > 1 && fared.said;
-    largest = std::max(largest, fared.off);
-  }
-  std::string words() const {
-    return fmt::format("{} of {} kept, missed by up to {:.3g} times, {} by more than 3, {} unsaid", kept, scenes,
-                       largest, missed_by_3, missed_unsaid);
+    within += fared.off <= 1;
+    flagged += !fared.kept;
+    missed_unsaid += fared.kept_off > 1;
+    largest = std::max(largest, fared.kept_off);
   }
 };
 using Tallies = std::array<Tally, errors.size()>;
 
 void play(const World& world, const std::vector<Places>& truth, Tallies& tallies) {
   for (std::size_t i = 0; i < errors.size(); ++i) tallies[i].add(fare(world, errors[i], truth));
-}
-Places places_of(const World& world) {
-  Places places;
-  for (const Body& body : world.bodies) places.push_back(body.position.cast<double>());
-  return places;
 }
 
 /// One to six links of 0.2 to 1 m and 0.3 to 30 kg, each let go at an angle of its own. They hang free: none touches another.
@@ -61,24 +51,12 @@ World random_chain(Random& random) {
   }
   return world;
 }
-/// In 64 steps of fourth order, 320 half steps, to each of World::step.
-std::vector<Places> true_places(World world, int substeps) {
-  HalfStep step = composed();
-  step.substeps = substeps;
-  step.tolerance = Real(1e-12);
-  std::vector<Places> places;
-  for (int frame = 0; frame < 60; ++frame) {
-    world.step(step, h);
-    places.push_back(places_of(world));
-  }
-  return places;
-}
-double farthest_apart(const std::vector<Places>& one, const std::vector<Places>& other) {
-  double largest = 0;
-  for (std::size_t frame = 0; frame < one.size(); ++frame)
-    for (std::size_t i = 0; i < one[frame].size(); ++i)
-      largest = std::max(largest, (one[frame][i] - other[frame][i]).norm());
-  return largest;
+/// In steps of fourth order, each of 5 half steps.
+std::vector<Places> places_in(int substeps, const World& world) {
+  HalfStep solver = composed();
+  solver.substeps = substeps;
+  solver.tolerance = Real(1e-12);
+  return places_by(solver, world, 60);
 }
 
 }  // namespace
@@ -86,20 +64,23 @@ double farthest_apart(const std::vector<Places>& one, const std::vector<Places>&
 TEST_CASE("within an error: chains let go at any angles, of which some whip so that nobody knows where they are") {
   Tallies tallies;
   int unknown = 0;  // its truth depends on the steps that it is found in
-  for (const std::uint64_t seed : {5, 6, 7}) {
+  for (const std::uint64_t seed : {5, 6}) {
     Random random(seed);
     for (int i = 0; i < 20; ++i) {
       const World chain = random_chain(random);
-      const std::vector<Places> truth = true_places(chain, 64);
-      if (farthest_apart(true_places(chain, 32), truth) > 1e-6) ++unknown;
+      const std::vector<Places> truth = places_in(64, chain);
+      if (farthest(places_in(32, chain).back(), truth.back()) > 1e-6) ++unknown;
       else play(chain, truth, tallies);
     }
   }
-  CHECK(unknown <= 5);
+  CHECK(unknown <= 2);
   for (const Tally& tally : tallies) {
-    INFO(tally.words());
-    CHECK(tally.kept >= tally.scenes * 98 / 100);
-    CHECK(tally.missed_by_3 <= 1);  // the same chain, 11, 19 and 6 times: so many are asked for, and it is not so
+    INFO(tally.within << " within it, " << tally.flagged << " flagged, " << tally.missed_unsaid << " missed unsaid");
+    CHECK(tally.within >= tally.scenes * 9 / 10);
+    CHECK(tally.missed_unsaid <= 1);  // a chain that whips is off by 11.5 mm one step before it is said
+    CHECK(tally.largest < Real(1.2));
+    const bool least = &tally == &tallies.back();  // where the twin would need more half steps than there are
+    CHECK(tally.flagged <= (least ? tally.scenes * 3 / 8 : tally.scenes / 7));
   }
 }
 
@@ -124,7 +105,8 @@ TEST_CASE("within an error: balls on a billiard table") {
     play(world, truth::places_of_colliding(at, velocities, double(radius), double(e), 60), tallies);
   }
   for (const Tally& tally : tallies) {
-    INFO(tally.words());
-    CHECK(tally.kept == 40);
+    INFO(tally.within << " within it, " << tally.flagged << " flagged, " << tally.missed_unsaid << " missed unsaid");
+    CHECK(tally.within == 40);
+    CHECK(tally.flagged == 0);
   }
 }

@@ -6,13 +6,12 @@
 
 namespace pushback::exercise_27 {
 
-using plain_27::Bounds;
-using plain_27::Tried;
-using plain_27::Verdict;
+using plain_27::Bar;
+using plain_27::Played;
 
 struct Answer {
-  Real (*off_by)(Real coarse, Real fine, int order);
-  Verdict (*judge)(const Tried& tried, const Bounds& bounds);
+  void (*play_step)(Played& played, Real h);
+  Bar (*fooling_bar)();
 };
 
 std::vector<Check<Answer>> checks_of(const Answer& /*any*/);

@@ -1,4 +1,4 @@
-/// Exercise 27: the controller. The task is chapters/27_which_error/exercise/task.md.
+/// Exercise 27: two estimates, and a scene that fools one of them. The task is chapters/27_which_error/exercise/task.md.
 #pragma once
 
 #include "pushback/chapters/27_which_error/exercise/asked.h"
@@ -6,37 +6,29 @@
 namespace student {
 
 using namespace pushback;
-using exercise_27::Bounds;
-using exercise_27::Tried;
-using exercise_27::Verdict;
+using exercise_27::Bar;
+using exercise_27::Played;
+using plain_27::coarse, plain_27::fine, plain_27::step;
 
-/// `off_by` returns the error of `fine`, m, never below 0.
+/// `play_step` takes a step of h seconds, and adds what both estimates learn in it.
 ///
-/// You read   coarse, fine           a position after the same step in n / 2 substeps and in n, m
-///            order                  the order of the steps
+/// You read    step(bar, h, n)   the bar after h seconds, in n substeps
+///             fine, coarse      the numbers of substeps of the bar and of its twin
+/// You change  played.bar        the bar after the step
+///             played.halves     m: plus what the same step in fine / 2 substeps differs by, in y and in half a second of v
+///             played.twin       its twin after the step
 ///
-/// `judge` assesses a step that has been tried, and returns {stands, kept, substeps}.
-///
-/// You read   tried.substeps         the number of substeps of this try
-///            tried.off              the error of this try, divided by the allowed error
-///            tried.before           the same for the previous try, in half as many substeps; infinite: there was none
-///            tried.order            the order of the steps
-///            bounds.least, .most    the fewest and the most substeps
-/// You return stands                 whether the step stands; otherwise it is repeated from its start
-///            kept                   whether its error is within the allowed error
-///            substeps               of the next try, for the same step or the next one
+/// `fooling_bar` returns a bar {y, v, angle, spin} (m, m/s, rad, rad/s).
 
 // TODO both functions, in place of these
-inline Real off_by(Real coarse, Real fine, int order) {
-  (void)coarse, (void)fine, (void)order;
-  return 0;
+inline void play_step(Played& played, Real h) {
+  (void)played, (void)h;
 }
-inline Verdict judge(const Tried& tried, const Bounds& bounds) {
-  (void)bounds;
-  return {true, true, tried.substeps};
+inline Bar fooling_bar() {
+  return {1, 0, 0, 0};
 }
 // TODO ends
 
-inline const exercise_27::Answer answer{off_by, judge};
+inline const exercise_27::Answer answer{play_step, fooling_bar};
 
 }  // namespace student

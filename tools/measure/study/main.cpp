@@ -16,7 +16,7 @@ namespace {
 struct Asked {
   bool quick = false, others = false, redraw = false, methods = false, resume = false;
   std::vector<std::string> only;
-  std::string out = "renders", shard = "1/1", mine, adapter;
+  std::string out = "renders", shard = "1/1", mine, adapter, renew;
   std::size_t parts = 0;
 };
 
@@ -83,6 +83,26 @@ void add_engine(std::vector<Engine>& engines, const std::string& program, const 
   setenv(variable, std::filesystem::absolute(file).c_str(), 1);
 }
 
+void say(const std::string& what) {
+  fmt::print("{}\n", what);
+  std::fflush(stdout);
+}
+
+/// The measurements of study.csv. Those of the method that is to be renewed are measured again.
+AllMeasured stored(const Asked& asked, const std::filesystem::path& programs, const std::vector<Motion>& motions,
+                   const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "study.csv";
+  AllMeasured all = read_csv(read_text_file(file));
+  make_writable_folder(folder);
+  if (asked.renew.empty()) return all;
+  std::size_t settings = 0;
+  for (const Motion& motion : motions)
+    settings += measure_again(asked.renew, motion, {.engines = {}, .programs = programs, .say = say}, all[motion.name]);
+  if (settings == 0) throw InvalidInput(fmt::format("--renew: {} has no method '{}'", file.string(), asked.renew));
+  write_text_file(file, csv_of(all));
+  return all;
+}
+
 void measure_and_draw(const Asked& asked, const std::filesystem::path& programs) {
   std::vector<Motion> motions;
   for (const std::string& name : asked.only) motions.push_back(any_motion_named(name));
@@ -97,10 +117,7 @@ void measure_and_draw(const Asked& asked, const std::filesystem::path& programs)
   if (asked.parts > 0) return tell(join(asked.parts, folder));
   const Shard shard = shard_of(asked.shard);
   if (asked.resume && !shard.whole()) throw InvalidInput("--resume is for the whole, not for --shard: a part is small");
-  if (asked.redraw) {
-    make_writable_folder(folder);
-    return tell(read_csv(read_text_file(folder / "study.csv")));
-  }
+  if (asked.redraw || !asked.renew.empty()) return tell(stored(asked, programs, motions, folder));
   std::vector<Engine> engines =
       asked.methods ? engines_named({"motion", "motion_wide", "motion_methods"}) : engines_in(programs, asked.others);
   add_engine(engines, "motion_mine", "PUSHBACK_MINE", asked.mine);
@@ -110,10 +127,7 @@ void measure_and_draw(const Asked& asked, const std::filesystem::path& programs)
   make_writable_folder(folder);
   RoundOptions options{.engines = engines, .programs = programs, .quick = asked.quick};
   if (asked.methods) options.methods = compared_methods();
-  options.say = [](const std::string& what) {
-    fmt::print("{}\n", what);
-    std::fflush(stdout);
-  };
+  options.say = say;
   MachineReport run{.load_before = load_now(), .load_after = "", .took = {}, .versions = {}, .resumed = 0};
   for (const Engine& engine : engines) run.versions.push_back(version_of(engine, programs));
   const auto began = std::chrono::steady_clock::now();
@@ -150,6 +164,8 @@ int main(int argc, char** argv) {
       "--resume", asked.resume,
       "Motions that study.csv in that folder has stay as they are, of a run that was ended; the others are measured");
   line.flag("--redraw", asked.redraw, "Nothing is measured: pictures and tables of what is in study.csv");
+  line.option("--renew", asked.renew,
+              "within: only this method is measured, as often as before; all else in study.csv stays as it is");
   line.option("--only", asked.only, "These motions");
   line.option("--shard", asked.shard, "2/5: the second of five parts, for a machine of its own, into shard_2_of_5");
   line.option("--join", asked.parts, "5: nothing is measured; pictures and tables of five such parts").between(2, 1000);

@@ -1,7 +1,7 @@
 /// The program `motion_wide`: the solvers that divide each step themselves play the motions.
 #include "pushback/chapters/21_detected_once/detected_once.h"
 #include "pushback/engine/half_step/half_step.h"
-#include "pushback/engine/islands/island_solver.h"
+#include "pushback/engine/presets.h"
 #include "pushback/engine/substeps/wide_solver.h"
 #include "pushback/tools/measure/study/every_motion.h"
 #include "pushback/tools/measure/study/ours.h"
@@ -31,8 +31,9 @@ AnySolver by_island(int substeps) {
   solver.contact_half_step.substeps = substeps;
   return solver;
 }
+/// As a user has it: with an error, and nothing else set.
 AnySolver within(int substeps) {
-  IslandSolver solver = islands();
+  Recommended solver;
   solver.error = Real(1e-3) / static_cast<Real>(substeps);
   return solver;
 }

@@ -156,7 +156,7 @@ std::string table_of_cheapest(const std::vector<MotionMeasured>& all) {
 }
 
 std::string table_of_engines(const std::vector<MotionMeasured>& all, const std::vector<Engine>& engines) {
-  std::vector<std::string> makers, heads{"an error below 1 mm", "Pushback, told 1 mm"};
+  std::vector<std::string> makers, heads{"an error below 1 mm", "Pushback, 1 mm asked"};
   for (const Engine& engine : engines)
     if (!engine.maker.empty() && std::find(makers.begin(), makers.end(), engine.maker) == makers.end())
       makers.push_back(engine.maker);
@@ -165,9 +165,9 @@ std::string table_of_engines(const std::vector<MotionMeasured>& all, const std::
   for (const MotionMeasured& measured : all) {
     std::vector<std::string> row{measured.motion->title, "–"};
     const auto frame = [&](const Measured& one) { return plain(per_frame(*measured.motion, one.median())); };
-    for (const Measured& told : of_method(measured.all, "within"))
-      if (told.substeps == 1 && told.sweeps <= 1)
-        row.back() = fmt::format("{} µs, {} mm off", frame(told), plain(1000 * told.error, 2));
+    for (const Measured& within : of_method(measured.all, "within"))
+      if (within.substeps == 1 && within.sweeps <= 1)
+        row.back() = fmt::format("{} µs, {} mm off", frame(within), plain(1000 * within.error, 2));
     for (const std::string& maker : makers) {
       const Measurements settings = of_maker(measured.all, maker), best = front(settings);
       const auto found = cheapest(settings, 1e-3);

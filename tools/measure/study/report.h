@@ -25,8 +25,8 @@ Panel fronts_of_methods(const MotionMeasured& measured, const std::string& engin
 /// which ... remains as h -> 0."
 std::string table_of_cheapest(const std::vector<MotionMeasured>& all);
 
-/// A row a motion. What the solver that is told 1 mm takes for a frame, and how far off it is; a column a maker with all of his engines:
-/// the cheapest setting below 1 mm and its time for a frame; or the least error that it reaches.
+/// A row a motion. What `Recommended` with an error of 1 mm takes for a frame, and how far off it is; a column a maker with all of his
+/// engines: the cheapest setting below 1 mm and its time for a frame; or the least error that it reaches.
 std::string table_of_engines(const std::vector<MotionMeasured>& all, const std::vector<Engine>& engines);
 
 /// For the same four errors: how many times as long the others take as we do; what remains of their error and of ours

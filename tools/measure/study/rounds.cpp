@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
@@ -89,7 +90,7 @@ class Asking {
   }
   std::vector<std::string> patience() const {
     if (options_.quick) return {"--at-least", "0", "--at-most", "0.15"};
-    return {"--at-most", "5"};
+    return {"--at-most", "10"};
   }
   void lose(Measured& one) const {
     options_.say(fmt::format("{}: {} crashed, by {}", motion_.name, one.engine, one.setting()));
@@ -197,6 +198,25 @@ Measurements measure(const Motion& motion, const RoundOptions& options) {
     asking.play(all, near);
   }
   return all;
+}
+
+std::size_t measure_again(const std::string& method, const Motion& motion, const RoundOptions& options,
+                          Measurements& all) {
+  const Asking asking(motion, options);
+  Indices which;
+  std::vector<std::size_t> times(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].method != method) continue;
+    which.push_back(i);
+    times[i] = std::exchange(all[i].seconds, {}).size();
+  }
+  const std::size_t count = which.size();
+  options.say(fmt::format("{}: {} settings", motion.name, count));
+  while (!which.empty()) {
+    asking.play(all, which);
+    std::erase_if(which, [&](std::size_t i) { return all[i].seconds.size() >= times[i]; });
+  }
+  return count;
 }
 
 namespace {

@@ -41,6 +41,10 @@ std::string version_of(const Engine& engine, const std::filesystem::path& progra
 /// of it in every round before the next begins. Throws std::runtime_error where a program fails.
 Measurements measure(const Motion& motion, const RoundOptions& options);
 
+/// Plays all settings of this method again, each as often as before. Everything else stays. Returns the number of settings.
+std::size_t measure_again(const std::string& method, const Motion& motion, const RoundOptions& options,
+                          Measurements& all);
+
 /// By the name of the motion.
 using AllMeasured = std::map<std::string, Measurements>;
 

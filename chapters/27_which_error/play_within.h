@@ -1,0 +1,41 @@
+/// A scene that is played within an error, and how far off it then is.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pushback/engine/islands/twin_solver.h"
+
+namespace pushback {
+
+struct PlayedStep {
+  double seconds = 0;  ///< computing time
+  Real known = 0;      ///< m: the largest error of a body that is said
+  int bodies_kept = 0, bodies = 0;
+  BodyError most = {};              ///< of the body with the largest error
+  std::map<std::string, int> ways;  ///< the number of bodies that were moved in each way
+};
+struct Played {
+  std::vector<PlayedStep> steps;
+  std::vector<World> worlds;  ///< after each step, coloured by how bodies were moved
+
+  double seconds() const;
+};
+
+constexpr Real dt_within = Real(1) / 60;  ///< s
+
+/// s: the computing time of this thread so far. It leaves out the time of other programs.
+double computing_time();
+
+Played play_within(World world, Real error, int steps);
+
+/// m, after each step: the distance from the same scene in steps `finer` times shorter, within an error `finer` times smaller.
+std::vector<Real> off(World world, const Played& played, Real error, int finer);
+
+/// 1/s: the rate at which a difference grows from `error` to a hundred times that. It is known after each `dt`, s. Nothing if it does
+/// not grow so far, or does so in less than a quarter of a second.
+std::optional<Real> growth(const std::vector<Real>& differences, Real error, Real dt);
+
+}  // namespace pushback

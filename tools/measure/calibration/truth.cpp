@@ -1,0 +1,83 @@
+#include "pushback/tools/measure/calibration/truth.h"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "pushback/engine/half_step/half_step.h"
+#include "pushback/tools/measure/results/csv.h"
+
+namespace pushback::calibration {
+
+namespace {
+
+constexpr const char* heading = "scene,sure in m,places in m";
+constexpr double most_work = 1e8;  // multiplications in a step: some seconds for a scene
+
+std::vector<Vec3> places_of(const World& world) {
+  std::vector<Vec3> places;
+  for (const Body& body : world.bodies)
+    if (body.movable()) places.push_back(body.position);
+  return places;
+}
+
+Real farthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  Real largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, (a[i] - b[i]).norm());
+  return largest;
+}
+
+std::vector<Vec3> places_after(World world, int substeps) {
+  HalfStep solver = at_impacts(Impacts::sequential);
+  solver.substeps = substeps;
+  solver.threshold = 0;
+  solver.most_work = most_work;
+  for (int i = 0; i < frames; ++i) world.step(solver, dt);
+  return places_of(world);
+}
+
+}  // namespace
+
+Real Truth::error(const World& world) const {
+  return farthest(places_of(world), places);
+}
+
+Truth find_truth(std::uint64_t number) {
+  const World world = scene(number).world;
+  Truth truth{.number = number, .sure = std::numeric_limits<Real>::infinity(), .places = {}};
+  try {
+    const std::vector<Vec3> coarse = places_after(world, 64);
+    truth.places = places_after(world, 128);
+    truth.sure = farthest(coarse, truth.places);
+  } catch (const InvalidInput&) {  // too much work, or Newton's method does not converge
+    truth.places.clear();
+  }
+  return truth;
+}
+
+std::string text_of(const std::vector<Truth>& truths) {
+  std::string text = fmt::format("{}\n", heading);
+  for (const Truth& truth : truths) {
+    text += fmt::format("{},{:.2e},", truth.number, truth.sure);
+    for (std::size_t i = 0; i < truth.places.size(); ++i) {
+      const Vec3& at = truth.places[i];
+      text += fmt::format("{}{:.10f} {:.10f} {:.10f}", i == 0 ? "" : " ", at.x(), at.y(), at.z());
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+std::vector<Truth> truths_in(const std::string& text) {
+  std::vector<Truth> truths;
+  read_csv_lines(text, heading, [&](const std::vector<std::string>& fields) {
+    Truth truth{.number = csv_number<std::uint64_t>(fields[0]), .sure = csv_number<Real>(fields[1]), .places = {}};
+    std::istringstream words(fields[2]);
+    for (std::string x, y, z; words >> x >> y >> z;)
+      truth.places.emplace_back(csv_number<Real>(x), csv_number<Real>(y), csv_number<Real>(z));
+    truths.push_back(truth);
+  });
+  return truths;
+}
+
+}  // namespace pushback::calibration
