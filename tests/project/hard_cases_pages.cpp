@@ -94,7 +94,8 @@ std::string figure_of_study(const std::vector<std::string>& mark) {
   std::istringstream rest(line->substr(start.size()));
   std::string error, row_solves, median;
   std::getline(std::getline(std::getline(rest, error, ','), row_solves, ','), median, ',');
-  return fmt::format("{:.3g}", 1e6 * std::stod(median) / any_motion_named(mark[1]).frames());
+  const double microseconds = 1e6 * std::stod(median) / any_motion_named(mark[1]).frames();
+  return microseconds < 999.5 ? fmt::format("{:.3g}", microseconds) : fmt::format("{:.0f}", microseconds);
 }
 
 /// What should stand before the mark; empty where the mark names nothing.
