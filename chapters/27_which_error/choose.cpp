@@ -73,7 +73,7 @@ void draw(const std::filesystem::path& folder, const std::string& name, const st
   Sheet sheet;
   sheet.question = name;
   sheet.scene = "within " + asked;
-  sheet.caption = "The colour of a body: how it was moved in the latest step.";
+  sheet.caption = "The colour shows how a body was moved in the latest step.";
   for (const auto& [paint, said] : {std::pair(Paint::flight, "in flight"),
                                     {Paint::few, "up to five half steps"},
                                     {Paint::more, "more half steps"},
@@ -109,7 +109,7 @@ void draw(const std::filesystem::path& folder, const std::string& name, const st
                                     .x_label = "s",
                                     .y_label = "mm",
                                     .log_y = true,
-                                    .curves = {{"known", times, known, line_colour(0), Curve::Style::dashed},
+                                    .curves = {{"said", times, known, line_colour(0), Curve::Style::dashed},
                                                {"measured", times, measured, line_colour(2)}},
                                     .floor = Real(1e-6)},
                                    {.title = "time",
@@ -117,7 +117,7 @@ void draw(const std::filesystem::path& folder, const std::string& name, const st
                                     .y_label = "us in 1/60 s",
                                     .log_y = true,
                                     .curves = {{"", times, micros, line_colour(1)}}},
-                                   {.title = "substeps of what is worst",
+                                   {.title = "substeps of the body with the largest error",
                                     .x_label = "s",
                                     .y_label = "in 1/60 s",
                                     .log_y = true,
@@ -177,7 +177,7 @@ int choose_or_read(const std::vector<Scene>& scenes, const std::function<World(c
       "A scene within an error: which steps each island of it takes, what that costs, and how far off it then is.");
   std::string name, error_text = "1mm", budget_text;
   double seconds = 3;
-  int finer = 16;
+  int finer = finer_truth;
   std::filesystem::path out = "renders/here";
   bool no_images = false;
   auto which = line.option("scene", name, read ? "A scene, or a file of one in JSON: NAME.json" : "A scene");

@@ -54,7 +54,7 @@ PlayedBar play_bar(Real height, Real angle) {
   return played;
 }
 
-/// What both estimates say of one bar, and of 450 bars what they say beside what is true.
+/// Compares both estimates with the true error, for one bar over time and for 450 bars.
 void tell_of_bars(Experiment& e) {
   const PlayedBar one = play_bar(1, Real(0.7));
   e.panel({.title = "a bar falls from 1 m at 40 degrees",
@@ -88,8 +88,8 @@ void tell_of_bars(Experiment& e) {
        .log_x = true,
        .log_y = true,
        .curves = {halves, twin, {"as said", {Real(0.1), 1000}, {Real(0.1), 1000}, "#888888", Curve::Style::dashed}}});
-  for (const auto& [name, past] : {std::pair("halves", past_halves), {"a twin", past_twin}})
-    e.remark(fmt::format("{} bars, said by {}: the true error is more than 3 times as large for {}", bars, name, past));
+  for (const auto& [said, past] : {std::pair("the sum of halves", past_halves), {"what a twin says", past_twin}})
+    e.remark(fmt::format("the true error exceeds 3 times {} for {} of {} bars", said, past, bars));
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ constexpr int fine = 64, coarse = 17;  // substeps in a step of the bar and of i
 inline void play_step(Played& played, Real h) {
   const Bar half = step(played.bar, h, fine / 2);
   played.bar = step(played.bar, h, fine);
-  // What is wrong with the velocity acts for half a second on average, if errors are asked of one second.
+  // An error of the velocity lasts for half a second on average, if errors are allowed for one second.
   played.halves += std::abs(played.bar.y - half.y) + std::abs(played.bar.v - half.v) / 2;
   played.twin = step(played.twin, h, coarse);
 }

@@ -25,6 +25,7 @@ struct Played {
 };
 
 constexpr Real dt_within = Real(1) / 60;  ///< s
+constexpr int finer_truth = 16;           ///< the usual `finer` of `off`
 
 /// s: the computing time of this thread so far. It leaves out the time of other programs.
 double computing_time();

@@ -76,7 +76,8 @@ Again rehearse_again(World world, const Rehearsal& first) {
   return again;
 }
 
-/// Of what a twin says to the difference of the rehearsals. (r^p - 1) / 2 / (1 - 2^-p) is 3.3 to 3.5 for p = 1, and 10 to 13 for p = 2.
+/// The ratio of what a twin says to the difference of the rehearsals: (r^p - 1) / 2 / (1 - 2^-p) is 3.3 to 3.5 for p = 1, and 10 to 13 for
+/// p = 2.
 struct Range {
   Real least, most;
 };
@@ -105,7 +106,7 @@ Real left_if_sooner(const std::vector<GivenSteps>& given, std::size_t body, std:
 
 /// The error of the play. An error e of a step of order p is e / 2^p in steps half as long, so the rehearsals differ by (1 - 2^-p) e, and
 /// the play is off by e / 4^p. p is 2, and of substeps 1, unless something else decides: when a body stops, or what it meets first. Then
-/// the difference is not what it should be beside what the twin of the first rehearsal says:
+/// the difference does not fit the error that the twin of the first rehearsal says:
 ///
 ///   (r^p - 1) e / 2,  r = 4 to 4.5: the ratio of the numbers of half steps
 void predict_error(Prediction& prediction, const Rehearsal& first, const Again& again, Real error) {
@@ -154,7 +155,7 @@ Prediction predict(const World& begin, Real error, int steps) {
     const Rehearsal first = rehearse(begin, error, steps);
     const Again again = rehearse_again(begin, first);
     prediction.rehearsed = first.seconds + again.seconds;
-    // Twice as many steps, and a twin that takes 2 half steps beside 5.
+    // The play has twice as many steps, and its twin takes 2 half steps for each 5.
     const double played = static_cast<double>(first.given.size() * longest);
     prediction.seconds = again.seconds * shorter * 7 / 5 * steps / played;
     predict_error(prediction, first, again, error);

@@ -1,5 +1,6 @@
 #include "pushback/engine/islands/island_settings.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "pushback/common/basics/input.h"
@@ -19,19 +20,33 @@ void check_limits(const ClassifierLimits& limits) {
   require_positive("turn", limits.turn);
 }
 
+void require(const char* name, double number, bool allowed, const char* what) {
+  if (!allowed || !std::isfinite(number))
+    throw InvalidInput(fmt::format("{} is {}: a finite number{} is needed", name, number, what));
+}
+
 void check_budget(const WorkBudgetSettings& budget) {
-  const auto require = [](const char* name, double number, bool allowed, const char* what) {
-    if (!allowed || !std::isfinite(number))
-      throw InvalidInput(fmt::format("budget.{} is {}: a finite number{} is needed", name, number, what));
-  };
-  require("per_contact", budget.per_contact, budget.per_contact > 0, " above 0");
-  require("fraction", budget.fraction, budget.fraction >= 0, ", 0 or more,");
-  require("at_first", budget.at_first, budget.at_first >= 0, ", 0 or more,");
-  require("most", budget.most, budget.most >= 1, ", 1 or more,");
-  require("at_once", budget.at_once, budget.at_once >= 1, ", 1 or more,");
+  require("budget.per_contact", budget.per_contact, budget.per_contact > 0, " above 0");
+  require("budget.fraction", budget.fraction, budget.fraction >= 0, ", 0 or more,");
+  require("budget.at_first", budget.at_first, budget.at_first >= 0, ", 0 or more,");
+  require("budget.most", budget.most, budget.most >= 1, ", 1 or more,");
+  require("budget.at_once", budget.at_once, budget.at_once >= 1, ", 1 or more,");
 }
 
 }  // namespace
+
+void GivenSteps::check(std::size_t bodies) const {
+  if (of_body.empty()) return;
+  if (of_body.size() != bodies)
+    throw InvalidInput(
+        fmt::format("given.of_body has {} numbers: one for each of {} bodies is needed", of_body.size(), bodies));
+  const int least = *std::min_element(of_body.begin(), of_body.end());
+  require("given.of_body", least, least >= 1, ", 1 or more,");
+  require("given.most_of_many", most_of_many, most_of_many >= 1, ", 1 or more,");
+  require("given.substeps", substeps, substeps >= 1, ", 1 or more,");
+  require_positive("given.tolerance", tolerance);
+  require_not_negative("given.threshold", threshold);
+}
 
 void IslandSettings::check() const {
   check_limits(limits);

@@ -16,7 +16,10 @@ struct GivenSteps {
   int most_of_many = 0;      ///< in a step, of islands with many contacts, which have to pay for them
   int substeps = 0;          ///< in a step of the bodies that get substeps, on springs as stiff as these hold
   Real tolerance = 0;        ///< m or rad: the largest |C|
-  Real threshold = 0;        ///< m/s: what approaches more slowly does not bounce, and is at rest
+  Real threshold = 0;        ///< m/s: slower contacts do not bounce, and are at rest
+
+  /// Throws InvalidInput if so many bodies cannot be moved by them.
+  void check(std::size_t bodies) const;
 };
 
 struct IslandSettings {

@@ -40,6 +40,7 @@ void IslandSolver::whole_step(World& world, Real dt, int sweeps) {
   check_step(dt, sweeps, world.gravity);
   AllBodies::check(world);
   IslandSettings::check();
+  given.check(world.bodies.size());
   substep_solver.SubsteppingSolver::check(world, dt);
   const Plan plan = substep_solver.plan(dt);
   contacts_.find(world, plan, dt);

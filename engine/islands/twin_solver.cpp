@@ -41,8 +41,8 @@ Real expected(const Body& body, const Body& twin) {
              ((body.velocity - twin.velocity).norm() + reach * (body.angular_velocity - twin.angular_velocity).norm());
 }
 
-/// Whether contacts changed its velocity by more than a load at rest does, m/s. Substeps solve such an impact otherwise than half steps,
-/// and their number does not matter, so the twin cannot tell by how much.
+/// Whether contacts changed its velocity by more than a load at rest does, m/s. Substeps and half steps solve such an impact differently. More
+/// substeps do not change that, so the twin does not show by how much.
 bool struck(const BodyState& before, const Body& body, Real at_rest) {
   return (body.velocity - before.velocity).norm() +
              reach_of_core(body) * (body.angular_velocity - before.angular_velocity).norm() >
@@ -67,7 +67,7 @@ void TwinSolver::whole_step(World& world, Real dt, int sweeps) {
   compare(world, dt);
 }
 
-/// Of another world, or when errors have been forgotten.
+/// Begins with another world, or after errors have been forgotten.
 void TwinSolver::begin(const World& world) {
   twin_ = world;
   coarse_ = *this;
@@ -75,7 +75,7 @@ void TwinSolver::begin(const World& world) {
   for (const Body& body : world.bodies) known_.push_back({.after = BodyState(body), .begun = world.time});
 }
 
-/// Changes in the twin what the program has changed in the world.
+/// Makes the changes in the twin that the program has made in the world.
 void TwinSolver::follow(const World& world) {
   static_cast<IslandSettings&>(coarse_) = *this;
   coarse_.energy = any_energy;
@@ -156,13 +156,13 @@ void TwinSolver::compare(const World& world, Real dt) {
   if (any) begin_again(world, std::move(lost));
 }
 
-/// What stops, or begins to roll, does so at the start of a half step, and loses up to mu g h^2 / 2 of its way there. If this is the start
-/// of the whole step, the twin loses the same.
+/// A body stops, or begins to roll, at the start of a half step, and loses up to mu g h^2 / 2 of its way there. If this is the start of
+/// the whole step, its twin loses the same.
 void TwinSolver::count_stops(const World& world, Real dt) {
   std::vector<Real> early(known_.size(), 0), sticks = early;  // m, of each body
   for (const Contact& contact : world.contacts)
     for (const std::uint32_t body : {contact.id.body_a, contact.id.body_b}) {
-      const Real h = dt / static_cast<Real>(given.of_body[body]),
+      const Real h = dt / static_cast<Real>(std::max(1, error_of(static_cast<int>(body)).substeps)),
                  loses = contact.friction * world.gravity.norm() * h * h / 2;
       if (contact.state == ContactState::sliding) early[body] = std::max(early[body], loses);
       if (contact.state == ContactState::sticking) sticks[body] = std::max(sticks[body], loses);
@@ -173,8 +173,8 @@ void TwinSolver::count_stops(const World& world, Real dt) {
   }
 }
 
-/// Makes the twins of lost bodies equal to them, and those of all bodies that touch them or are joined to them, in the world or in the
-/// twin.
+/// Makes the twins of lost bodies equal to them. The same holds for all bodies that touch lost bodies or are joined to them, in the world
+/// or in the twin.
 void TwinSolver::begin_again(const World& world, std::vector<bool> lost) {
   StepClassifier fine = classifier(), coarse = coarse_.classifier();
   const auto spread = [&](StepClassifier& islands) {

@@ -1,4 +1,4 @@
-/// A position error that is known, from a second, coarser simulation.
+/// An estimate of the position error, from a second, coarser simulation.
 ///
 ///   TwinSolver solver;
 ///   solver.error = 1e-3;  // m. Without it only the energy of each island is checked
@@ -21,8 +21,8 @@ struct BodyError {
 };
 
 /// IslandSolver, with as many substeps as keep positions within `error` for a second. A twin of the world is stepped as well, in
-/// about a quarter of the substeps. It begins where the world begins, and is never made equal to it again. So it differs by what
-/// any step has ever made different, and by what later impacts have made of that:
+/// about a quarter of the substeps. It begins where the world begins, and is never made equal to it again. So it differs by
+/// all errors of all steps, as later impacts have enlarged them:
 ///
 ///   |x - x_twin| / 2 >= error of x
 ///
@@ -54,17 +54,16 @@ class TwinSolver : public IslandSolver {
   }
 
  private:
-  struct Known {                                         // of a body
-    BodyState after;                                     // the latest step
-    int level = 1;                                       // of the numbers of substeps
-    int unneeded = 0;                                    // steps in a row that a lower level would have been enough for
-    Real begun = 0;                                      // s: when its twin was last made equal to it
-    Real carried = 0;                                    // m: the error that was known then
-    Real place = 0;                                      // m
-    Real soon = 0;                                       // m: half of `expected` after it
-    Real early = 0;                                      // m: what it loses if it stops now, while it slides
-    Real stopped = 0;                                    // m: what it has lost in all stops
-    std::pair<bool, bool> slides = {};                   // before and after the latest step
+  struct Known {       // of a body
+    BodyState after;   // the latest step
+    int level = 1;     // of the numbers of substeps
+    int unneeded = 0;  // steps in a row for which a lower level would have been enough
+    Real begun = 0;    // s: when its twin was last made equal to it
+    Real carried = 0;  // m: the error that was known then
+    Real place = 0;    // m
+    Real soon = 0;     // m: half of `expected` after it
+    Real early = 0;    // m: the distance that it loses if it stops now, while it slides
+    Real stopped = 0;  // m: the distance that it has lost in all stops
     Real lost = -std::numeric_limits<Real>::infinity();  // s: when it was last lost
     bool kept = true;
   };

@@ -1,4 +1,4 @@
-/// Chapter 27: what is said of an error, beside what is true; whether the error is kept; and what a program may do between steps.
+/// Chapter 27: the reported error compared with the true one, whether the error is kept, and what a program may do between steps.
 #include "pushback/engine/islands/twin_solver.h"
 
 #include "pushback/chapters/13_joints/ball_and_socket.h"
@@ -360,4 +360,31 @@ TEST_CASE("within an error: settings that cannot be used are named, and nothing 
   refused("error is -1: a length above 0", [](TwinSolver& s) { s.error = -1; });
   refused("error is nan: a length above 0", [](TwinSolver& s) { s.error = std::numeric_limits<Real>::quiet_NaN(); });
   refused("energy is 0", [](TwinSolver& s) { s.energy = 0; });
+}
+
+TEST_CASE("given half steps that the bodies cannot be moved by are named, and nothing has changed") {
+  const auto refused = [](const std::string& said, const std::function<void(GivenSteps&)>& change) {
+    World world = loaded_plate(4, Real(0.3));
+    IslandSolver solver;
+    solver.given = {.of_body = std::vector<int>(world.bodies.size(), 5),
+                    .most_of_many = 2,
+                    .substeps = 40,
+                    .tolerance = Real(1e-7),
+                    .threshold = 0};
+    World moved = world;
+    CHECK(complaint([&] { moved.step(solver, h); }).empty());
+    change(solver.given);
+    const std::uint64_t before = hash_of(world);
+    const std::string words = complaint([&] { world.step(solver, h); });
+    INFO(words);
+    CHECK(words.starts_with(said));
+    CHECK(hash_of(world) == before);
+  };
+  refused("given.of_body has 10 numbers: one for each of 11 bodies",
+          [](GivenSteps& given) { given.of_body.pop_back(); });
+  refused("given.of_body is 0", [](GivenSteps& given) { given.of_body[3] = 0; });
+  refused("given.most_of_many is 0", [](GivenSteps& given) { given.most_of_many = 0; });
+  refused("given.substeps is 0", [](GivenSteps& given) { given.substeps = 0; });
+  refused("given.tolerance is 0", [](GivenSteps& given) { given.tolerance = 0; });
+  refused("given.threshold is -1", [](GivenSteps& given) { given.threshold = -1; });
 }

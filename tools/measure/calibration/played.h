@@ -17,7 +17,7 @@ struct Played {
 
   /// What must not be: above what was asked, and nothing was said.
   bool missed() const { return !flagged && error > asked; }
-  /// Within three times what is said. Newton's method leaves errors of 0.1 um, which nobody means.
+  /// At most three times as large as said, or below 0.1 um, which Newton's method leaves.
   bool covered() const { return error <= 3 * std::max(said, Real(1e-7)); }
 };
 

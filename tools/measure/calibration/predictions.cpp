@@ -1,4 +1,4 @@
-/// ./course run predictions: what ./course choose predicts of a scene, beside what it then measures.
+/// ./course run predictions: the predictions of ./course choose compared with its measurements.
 #include <filesystem>
 #include <thread>
 
@@ -19,7 +19,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int finer = 16;               // the default of ./course choose
 constexpr std::size_t at_a_time = 16;   // scenes, because each keeps its world after each step
 constexpr std::size_t few_bodies = 12;  // so few are played so soon that it is repeated
 constexpr Real nothing = Real(1e-9);    // m
@@ -97,7 +96,7 @@ void predict_and_play(PlayedScene& row, int repeats) {
 
 void measure(PlayedScene& row) {
   if (row.prediction.no_error.empty())
-    for (const Real x : off(row.begin, row.played, row.asked, finer)) row.error = std::max(row.error, x);
+    for (const Real x : off(row.begin, row.played, row.asked, finer_truth)) row.error = std::max(row.error, x);
   row.played = {};
 }
 
