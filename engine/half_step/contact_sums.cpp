@@ -13,7 +13,8 @@ void ContactSums::add(const Contact& contact, const Vec3& impulse, std::size_t& 
 
 void ContactSums::write_to(Contacts& contacts) const {
   Contacts sums = sums_;
-  std::stable_sort(sums.begin(), sums.end(), [](const Contact& p, const Contact& q) { return p.id < q.id; });
+  const auto before = [](const Contact& p, const Contact& q) { return p.id < q.id; };
+  if (!std::is_sorted(sums.begin(), sums.end(), before)) std::stable_sort(sums.begin(), sums.end(), before);
   Contacts all;
   auto sum = sums.begin();  // both lists ascend, so go through them in parallel
   const auto parted = [&] {

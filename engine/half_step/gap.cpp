@@ -169,9 +169,13 @@ std::vector<Vec3> corners_of_core(const Body& body) {
 }
 
 Real reach_of_core(const Body& body) {
-  Real reach = 0;
-  for (const Vec3& corner : corners_of_core(body)) reach = std::max(reach, corner.norm());
-  return reach;
+  if (const auto* box = std::get_if<Box>(&body.shape)) return box->half_extents.norm();
+  if (const auto* capsule = std::get_if<Capsule>(&body.shape)) return capsule->half_length;
+  const auto* hull = std::get_if<Hull>(&body.shape);
+  if (hull == nullptr) return 0;
+  Real squared = 0;
+  for (const Vec3& corner : hull->solid->corners) squared = std::max(squared, corner.squaredNorm());
+  return std::sqrt(squared);
 }
 
 }  // namespace pushback

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "pushback/common/basics/input.h"
 #include "pushback/common/world/measure.h"
@@ -105,7 +106,13 @@ void HeldContacts::after_detection(const World& world) {
 
 /// The impulses of the stage before are the guess. Solves from there, if the guess is not the solution.
 bool HeldContacts::solve(World& world, Real h) {
-  if (stage_.residual(world) <= direct_.tolerance) return true;
+  const double residual = stage_.residual(world), before = std::exchange(left_, 0);
+  if (residual <= direct_.tolerance) {
+    left_ = residual * stage_.unit();
+    return true;
+  }
+  const double arose = 1 - std::min(before / (residual * stage_.unit()), direct_.tolerance / residual);
+  lasting_ = std::min(1.0, 2 * arose);  // both stages of a substep give the next guess half of it
   do {
     newton_.clear();
     stage_.add_to(newton_, world);
@@ -159,6 +166,7 @@ bool HeldContacts::project(World& world, Real h) {
 /// Its speed is lost to friction, so slowly is better than at once.
 void HeldContacts::begin_pressing(World& world, Real h) {
   const Real fastest = h * world.gravity.norm() / 4;
+  double left = 0;
   stage_.clear();
   for (std::size_t i = 0; i < known_.size(); ++i) {
     known_[i].pressed = false;
@@ -171,25 +179,37 @@ void HeldContacts::begin_pressing(World& world, Real h) {
     const bool slides = slip > creeps && world.contacts[i].friction > 0;
     const Real bias = (gap < 0 ? -std::min({-gap / h, -10 * gap, fastest}) : gap / h) - known_[i].bends / h;
     known_[i].bends = 0;
+    const Vec3& n = world.contacts[i].normal;
     StageContact at{i, bias, Vec3::Zero(), h / 2 * known_[i].borne,
                     slides ? Vec3(known_[i].slip / slip) : Vec3::Zero()};
     if (!slides && world.contacts[i].friction != 0) {
       const auto [a, b] = world.bodies_of(world.contacts[i]);
-      const Vec3 &point = world.contacts[i].point, &n = world.contacts[i].normal;
+      const Vec3& point = world.contacts[i].point;
       const Vec3 gained = gained_in_drift(b, point - b.position, h) - gained_in_drift(a, point - a.position, h);
       at.tangential_bias = gained - gained.dot(n) * n;
     }
+    const Vec3 speed = (known_[i].approach + bias) * n + known_[i].slip + at.tangential_bias;
+    left = std::max(left, static_cast<double>(squared_error(world.contacts[i], at, speed)));
     stage_.add(at);
   }
   stage_.apply_guess(world, direct_.tolerance);
+  left_ = std::sqrt(left);
+  lasting_ = 1;
+}
+
+/// N s: the impulse of the stage, without what takes back the errors of earlier stages.
+Vec3 HeldContacts::lasting_impulse(const StageContact& at, Real h) const {
+  if (lasting_ == 1) return at.impulse;
+  const Vec3 guess = h / 2 * known_[at.index].borne;
+  return guess + static_cast<Real>(lasting_) * (at.impulse - guess);
 }
 
 void HeldContacts::end_pressing(const World& world, Real h) {
   for (const StageContact& at : stage_) {
     ContactMemory& known = known_[at.index];
-    known.pressing = at.impulse;
-    known.total += components(at.impulse, world.contacts[at.index].normal);
-    sums_.add(world.contacts[at.index], at.impulse, known.sum);
+    known.pressing = lasting_impulse(at, h);
+    known.total += components(known.pressing, world.contacts[at.index].normal);
+    sums_.add(world.contacts[at.index], known.pressing, known.sum);
     if (known.borne.isZero(0)) known.borne = 2 / h * at.impulse;
     known.pressed = at.impulse.dot(world.contacts[at.index].normal) > 0;
   }
@@ -209,15 +229,17 @@ void HeldContacts::begin_projecting(World& world, Real h) {
     stage_.add({i, bias, Vec3::Zero(), h / 2 * known.borne, Vec3::Zero()});
   }
   stage_.apply_guess(world, direct_.tolerance);
+  lasting_ = 1;
 }
 
 void HeldContacts::end_projecting(const World& world, Real h) {
   for (const StageContact& at : stage_) {
     ContactMemory& known = known_[at.index];
-    known.total += components(at.impulse, world.contacts[at.index].normal);
-    sums_.add(world.contacts[at.index], at.impulse, known.sum);
+    const Vec3 lasting = lasting_impulse(at, h);
+    known.total += components(lasting, world.contacts[at.index].normal);
+    sums_.add(world.contacts[at.index], lasting, known.sum);
     known.last = at.impulse;
-    known.borne = (known.pressing + at.impulse) / h;
+    known.borne = (known.pressing + lasting) / h;
   }
 }
 

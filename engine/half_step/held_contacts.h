@@ -34,7 +34,13 @@ inline BodyPair pair_of(const Contact& at) {
 /// A resting contact has the same impulses in all stages. So the guess is tried first, contact by contact and without rows. The
 /// bodies receive it, and if every speed then satisfies the contact law, it is the solution. Constant impulses do not hold a tall
 /// pile for ever, because rounding errors grow. Then Newton's method solves up to rounding again, or chapter 17 if the guess is
-/// too far off.
+/// too far off. Such a solution also takes back what has added up in many stages. The next guess takes over only the part
+/// that arose in this stage,
+///
+///   2 (1 - left / residual)      of the difference between solution and guess
+///
+/// where `left` is what the previous stage left. If it took over all, it would err as much in the opposite direction, and every
+/// fourth stage would have to be solved.
 class HeldContacts {
  public:
   /// m: a gap that is rounding
@@ -110,12 +116,15 @@ class HeldContacts {
     std::size_t sum = ContactSums::none;  // its place in sums_
   };
   bool solve(World& world, Real h);
+  Vec3 lasting_impulse(const StageContact& at, Real h) const;
   bool solve_from_nothing(World& world, Real h);
 
   WarmDirectContacts direct_ = exact_direct_contacts();
   NewtonFromGuess newton_;
   StageContacts stage_;
-  Contacts touching_;  // the touching contacts of stage_
+  double left_ = 0;     // m/s: the error that the stage before left at some contact
+  double lasting_ = 1;  // the part of the difference between solution and guess that the next guess takes over
+  Contacts touching_;   // the touching contacts of stage_
   std::string failure_;
   std::vector<ContactMemory> known_, known_before_;  // of World::contacts, ascending
   ContactSums sums_;                                 // since `begin`

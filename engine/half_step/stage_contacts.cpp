@@ -21,10 +21,16 @@ Vec3 speed_of(const World& world, const StageContact& at) {
   return b.velocity_at(contact.point) - a.velocity_at(contact.point) + at.bias * contact.normal + at.tangential_bias;
 }
 
-/// The squared error of Coulomb's law: |r - Pi(r - s)|^2 with the symbols of contact_problem.h. `u`: J v + b.
-Real squared_error(const Contact& contact, const Vec3& r, const Vec3& u) {
-  const Real mu = contact.friction, r_n = r.dot(contact.normal), u_n = u.dot(contact.normal);
-  const Vec3 r_t = r - r_n * contact.normal, u_t = u - u_n * contact.normal;
+}  // namespace
+
+Real squared_error(const Contact& contact, const StageContact& at, const Vec3& u) {
+  const Vec3 &n = contact.normal, &r = at.impulse;
+  const Real mu = contact.friction, r_n = r.dot(n), u_n = u.dot(n);
+  if (at.slides()) {
+    const Real error = r_n - std::max(Real(0), r_n - u_n);
+    return error * error;
+  }
+  const Vec3 r_t = r - r_n * n, u_t = u - u_n * n;
   const Real s_n = u_n + mu * u_t.norm(), wanted_n = r_n - s_n;
   const Vec3 wanted_t = r_t - u_t;
   const bool outside = wanted_n < 0 || wanted_t.squaredNorm() > mu * mu * wanted_n * wanted_n;  // of the cone
@@ -34,8 +40,6 @@ Real squared_error(const Contact& contact, const Vec3& r, const Vec3& u) {
   const Vec3 way = wanted[1] > 0 ? Vec3(wanted_t / wanted[1]) : Vec3::Zero();
   return (r_n - nearest[0]) * (r_n - nearest[0]) + (r_t - nearest[1] * way).squaredNorm();
 }
-
-}  // namespace
 
 void StageContacts::apply_guess(World& world, double tolerance) {
   double largest = 0;
@@ -59,13 +63,8 @@ double StageContacts::residual(const World& world) const {
   for (const StageContact& at : contacts_) {
     const Contact& contact = world.contacts[at.index];
     const Vec3 speed = speed_of(world, at);
-    if (!at.slides()) {
-      largest = std::max(largest, static_cast<double>(squared_error(contact, at.impulse, speed)));
-      continue;
-    }
-    const Real r = at.impulse.dot(contact.normal), u = speed.dot(contact.normal), error = r - std::max(Real(0), r - u);
-    largest = std::max(largest, static_cast<double>(error * error));
-    if (speed.dot(at.slip_direction) < 0) return std::numeric_limits<double>::infinity();
+    if (at.slides() && speed.dot(at.slip_direction) < 0) return std::numeric_limits<double>::infinity();
+    largest = std::max(largest, static_cast<double>(squared_error(contact, at, speed)));
   }
   return std::sqrt(largest) / (unit_ > 0 ? unit_ : 1);
 }

@@ -15,6 +15,10 @@ struct StageContact {
   bool slides() const { return !slip_direction.isZero(0); }
 };
 
+/// The squared error of Coulomb's law where the speed is u = J v + b, m/s, world axes: |r - Pi(r - s)|^2 with the symbols of
+/// chapter 16's contact_problem.h. If the contact slides, only its normal counts.
+Real squared_error(const Contact& contact, const StageContact& at, const Vec3& u);
+
 /// A contact with a slip direction has one unknown, the normal impulse, because its impulse acts along n - mu slip_direction. Each other
 /// contact has three, which Coulomb's law keeps inside the cone.
 class StageContacts {

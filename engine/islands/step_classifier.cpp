@@ -51,12 +51,20 @@ Corner first_to_get(const Body& body, const Vec3& direction, Real dt) {
   return first;
 }
 
+/// No corner gets faster than this in dt, whatever the direction, m/s.
+Real fastest_corner(const Body& body, Real dt) {
+  const Real spin = body.movable() ? body.angular_velocity.norm() : 0;
+  return spin * (1 + dt * spin) * reach_of_core(body);
+}
+
 /// Along a direction in which bodies are apart: whether a corner of one that turns may arrive within dt, faster than `threshold`, m/s.
 bool corners_arrive(const Body& a, const Body& b, const Vec3& normal, Real dt, Real threshold, Real falls) {
   const auto turns = [](const Body& body) { return body.movable() && !body.angular_velocity.isZero(0); };
   if (!turns(a) && !turns(b)) return false;
+  const Real comes = normal.dot(a.velocity - b.velocity);
+  if (comes + fastest_corner(a, dt) + fastest_corner(b, dt) <= threshold) return false;
   const Corner of_a = first_to_get(a, normal, dt), of_b = first_to_get(b, -normal, dt);
-  const Real gap = -of_a.at - of_b.at - roundness(a) - roundness(b), comes = normal.dot(a.velocity - b.velocity);
+  const Real gap = -of_a.at - of_b.at - roundness(a) - roundness(b);
   const Real approach = comes + of_a.speed + of_b.speed;
   return approach > threshold && gap <= dt * (comes + falls) + of_a.way + of_b.way && (gap > apart || approach > falls);
 }

@@ -196,7 +196,7 @@ void TwinSolver::begin_again(const World& world, std::vector<bool> lost) {
     twin_.bodies[i] = world.bodies[i];
     Known& of = known_[i];
     of = {.after = of.after,
-          .level = 1,
+          .level = of.level,
           .begun = world.time,
           .carried = of.place,
           .place = of.place,
