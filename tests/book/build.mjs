@@ -256,6 +256,22 @@ test("a paper has the same address wherever it is named", () => {
   assert.equal(new Set(named.map(([title]) => title)).size, papers.size);
 });
 
+test("a talk or an article that has an address has it under the Sources of every page, and contents say what is there", () => {
+  const { pages } = readBook(root);
+  const lists = pages.map(({ html }) => /<h2 id="sources">.*?<\/ul>/s.exec(html)?.[0] ?? "");
+  const titles = (html, one) => [...html.matchAll(one)].map(([, title]) => title.replace(/\s+/g, " "));
+  const linked = lists.flatMap((html) => titles(html, /<a href="http[^"]*"><em>(.*?)<\/em><\/a>/gs));
+  const bare = lists.flatMap((html) => titles(html, /(?<!>)<em>(.*?)<\/em>/gs));
+  assert.ok(new Set(linked).size > 25, `only ${new Set(linked).size}`);
+  assert.deepEqual(
+    bare.filter((title) => linked.includes(title)),
+    [],
+  );
+  const names = pagesOf(readBook(root), root).map(({ name }) => name);
+  for (const empty of ["The house", "Methods that are no chapter", "Machinery"])
+    assert.ok(!names.includes(empty), empty);
+});
+
 test("the workflow that publishes the book builds it with options that the book has", () => {
   const workflow = fs.readFileSync(path.join(root, ".github/workflows/book.yml"), "utf8");
   const [, options] = /run: \.\/course book --yes -- (.*)/.exec(workflow);

@@ -203,6 +203,25 @@ test("a scene plays within some five seconds, in a picture that keeps its size",
   }
 });
 
+test("a figure plays the scene of the sheet in whose place it is, and on a telephone the variant that the guess names", async () => {
+  const name = "12_soft_contacts";
+  if (!experiments.includes(name)) return;
+  for (const [file, scene, first] of [
+    ["index", "ball", "32 substeps, hard"],
+    ["relax", "a-stack-of-twenty", "32 substeps, soft"],
+    ["tall_columns", "column", "32 substeps, 30 Hz"],
+  ]) {
+    const options = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
+    const page = await running(browser, `chapters/${name}/${file}.html`, `live=${name}`, options);
+    const seen = await page.evaluate(() => [
+      player.engine.scene.key,
+      player.engine.lanes[player.view.stage.panes[0].lane].name,
+    ]);
+    assert.deepEqual(seen, [scene, first], file);
+    await page.close();
+  }
+});
+
 test("a legend of a curve marks each variant once", async () => {
   const page = await opened();
   const marks = await page.evaluate(() =>
@@ -234,7 +253,7 @@ test("words that set the figure are links to its state; the browser's own way le
   await page.close();
 });
 
-test("on a telephone the variant that the guess asks about is seen first, and nothing lies on its picture", async () => {
+test("on a telephone the variant that the guess asks about is seen first, and nothing lies on its picture, nor on the answer", async () => {
   const page = await opened("", { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
   assert.equal(await page.getByRole("tab", { selected: true }).textContent(), "◆ β = 1");
   const covered = await page.evaluate(() => {
@@ -243,6 +262,14 @@ test("on a telephone the variant that the guess asks about is seen first, and no
     return [...labels.children].filter((one) => one.getBoundingClientRect().bottom > top + 1).length;
   });
   assert.equal(covered, 0);
+  await page.locator("summary", { hasText: "Answer" }).first().tap();
+  const words = page.locator("details[open] p").first();
+  await words.scrollIntoViewIfNeeded();
+  const free = await words.evaluate((element) => {
+    const { left, top, bottom } = element.getBoundingClientRect();
+    return element.contains(document.elementFromPoint(left + 20, (top + bottom) / 2));
+  });
+  assert.ok(free, "something lies on the answer");
   assert.deepEqual(page.wrong, []);
   await page.close();
 });
@@ -254,6 +281,39 @@ test("on a telephone: a tab for each variant, nothing wider than the page, a pic
   assert.deepEqual(await page.evaluate(() => player.view.stage.panes.map(({ lane }) => lane)), [3]);
   await page.locator(".pb-foot").scrollIntoViewIfNeeded();
   assert.ok(await page.evaluate(() => player.view.stage.canvas.getBoundingClientRect().bottom > 100));
+  assert.deepEqual(page.wrong, []);
+  await page.close();
+});
+
+const toy = experiments.includes("07_warm_start") ? false : "the experiment of the front page is not compiled";
+test("the front page begins with two stacks that run without a click, and one switch", { skip: toy }, async () => {
+  const page = await newPage(browser, { reducedMotion: "no-preference", viewport: { width: 800, height: 500 } });
+  await page.goto(address("index.html"));
+  const painted = await page.waitForFunction(
+    () => performance.getEntriesByName("first-contentful-paint")[0]?.startTime,
+  );
+  console.log(`painted after ${Math.round(await painted.jsonValue())} ms`);
+  await page.waitForFunction(() => document.querySelector("figure.toy img").naturalWidth > 0);
+  await page.waitForFunction(() => (window.player = window.PUSHBACK_LIVE_TEST?.player())?.engine.now > 0);
+  /** m, of the top boxes after ten seconds. */
+  const heights = () =>
+    page.evaluate(() => {
+      player.pause();
+      while (player.engine.now < 600) player.seek(600);
+      return [0, 1].map((lane) => player.engine.body(lane, player.engine.bodies(lane) - 1).position[1]);
+    });
+  await page.locator(".pb-hint").waitFor();
+  const [forgotten, remembered] = await heights();
+  assert.ok(forgotten < 2 && remembered > 9, `${forgotten} m, ${remembered} m`);
+  assert.equal(await page.isVisible(".pb-deck"), false);
+  assert.equal(await page.evaluate(() => location.hash), "");
+  await page.getByRole("checkbox", { name: "remember impulses" }).check();
+  assert.ok(await page.evaluate(() => player.playing && player.engine.now < 600), "it begins again");
+  assert.ok((await heights()).every((height) => height > 9));
+  const [left, right] = await bits(page);
+  assert.equal(left, right);
+  await page.getByRole("button", { name: "all controls" }).click();
+  assert.ok((await page.isVisible(".pb-deck")) && !(await page.isVisible(".pb-hint")));
   assert.deepEqual(page.wrong, []);
   await page.close();
 });

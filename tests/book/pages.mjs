@@ -1,10 +1,13 @@
 /// Every page of the book, as a reader gets it: its links, on a telephone, by the rules of accessibility, found by the search.
 import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
 import fs from "node:fs";
+import os from "node:os";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { gzipSync } from "node:zlib";
 import axe from "axe-core";
+import { home } from "../../tools/book/experiments.js";
 import { serve } from "../../tools/book/serve.js";
 import { address, all, folder, html, isSource, launch, newPage, onAll } from "./support/browser.mjs";
 
@@ -214,14 +217,14 @@ test("the search finds words, their forms and letters of formulas, and leads the
 
 test("an address that is none, in any folder of a host: a page in the book's looks, whose links lead back", async () => {
   const server = await serve(folder);
-  const home = `http://127.0.0.1:${server.address().port}/`;
+  const host = `http://127.0.0.1:${server.address().port}/`;
   const page = await newPage(browser);
   for (const away of ["nosuch.html", "chapters/99_none/index.html", "docs/figures/nosuch/a.html?b#c"]) {
-    const response = await page.goto(home + away);
+    const response = await page.goto(host + away);
     assert.equal(response.status(), 404);
     assert.equal(await page.locator("h1").innerText(), "There is no such page");
     await page.locator("article a").first().click();
-    await page.waitForURL(`${home}index.html`);
+    await page.waitForURL(`${host}index.html`);
   }
   await page.close();
   server.closeAllConnections();
@@ -262,15 +265,18 @@ test("on a telephone the contents open and close by the keyboard; without script
   await plain.close();
 });
 
-test("the film stands still until it is asked for; a link into what is folded opens it", async () => {
+test("in a book that is still, the film stands still until it is asked for; a link into what is folded opens it", async () => {
+  const stillBook = fs.mkdtempSync(path.join(os.tmpdir(), "book-"));
+  spawnSync(process.execPath, [path.join(home, "tools/book/build.js"), "--still", "--out", stillBook]);
   const page = await newPage(browser);
-  await page.goto(address("index.html"));
+  await page.goto(`file://${stillBook}/index.html`);
   const shown = () => page.getAttribute("figure.film img", "src");
   const still = await shown();
   await page.click("button.play");
   assert.match(await shown(), /film\.webp$/);
   await page.click("button.play");
   assert.equal(await shown(), still);
+  fs.rmSync(stillBook, { recursive: true });
   await page.goto(address(chapter));
   await page.evaluate(() => {
     document.querySelector("details").lastElementChild.id = "deep-inside";

@@ -103,8 +103,9 @@ export function readBook(root, live = new Map(), idle = {}, repository) {
     page.target = (address, line) => target(page, address, line);
     page.picture = (address, alt, line) => picture(page, address, alt, line);
     page.quoted = (code) => quoted(page, code);
-    page.figureData = () => ({
+    page.figureData = (file) => ({
       chapter: page.live,
+      sheet: sceneOf(file, page.engine),
       root: page.root,
       idle: JSON.stringify(idle[page.live] ?? {}),
       challenges: JSON.stringify((page.chapter && challenged.get(page.live)) || []),
@@ -124,7 +125,7 @@ export function readBook(root, live = new Map(), idle = {}, repository) {
       readIn: [...readIn],
     })),
     folders: [...folders].map(([file, names]) => ({ file, address: `${file}/index.html`, names })),
-    files: [...files],
+    files: [...files].filter((file) => !pictures.some((one) => one.onlyStill && one.file === file)),
     pictures,
   };
 }
@@ -152,6 +153,12 @@ function challengesOf(root, live, problems) {
     engine.set("");
   }
   return found;
+}
+
+/// The key of the scene that a sheet of its own shows, renders/CHAPTER/sheet_KEY.png; "" for the sheet of the first scene.
+function sceneOf(file, engine) {
+  const [, key] = /\/sheet_([^/]*)\.png$/.exec(file) ?? [];
+  return engine.description.scenes.some((scene) => scene.key === key) ? key : "";
 }
 
 function kindOf(file) {

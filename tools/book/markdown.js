@@ -204,11 +204,13 @@ function figures(tokens, page) {
     tokens[i].tag = tokens[i + 2].tag = "figure";
     tokens[i].hidden = tokens[i + 2].hidden = false;
     tokens[i].attrSet("class", kind);
-    if (kind === "film") film(tokens[i + 1], image);
+    const toy = live && page.file === "README.md"; // plays by itself, so the film stays away
+    if (kind === "film") film(tokens[i + 1], image, toy);
     else if (tokens[i + 1].children.length === 1) linked(tokens[i + 1], image);
     if (live && (kind === "sheet" || !page.chapter)) {
-      tokens[i].attrSet("class", `live ${kind}`);
-      for (const [name, value] of Object.entries(page.figureData())) tokens[i].attrSet(`data-${name}`, value);
+      tokens[i].attrSet("class", `live ${toy ? "toy" : kind}`);
+      for (const [name, value] of Object.entries(page.figureData(image.meta.file)))
+        tokens[i].attrSet(`data-${name}`, value);
       live = false;
     }
     if (tokens[i + 3]?.type === "paragraph_open" && inItalics(tokens[i + 4])) {
@@ -239,9 +241,15 @@ function linked(inline, image) {
   inline.children = [open, image, new inline.constructor("link_close", "a", -1)];
 }
 
-/// A film stands still until somebody asks for it.
-function film(inline, image) {
+/// A film stands still until somebody asks for it. Of a toy's film there is only the still, from the start.
+function film(inline, image, toy) {
   image.attrSet("src", image.meta.still);
+  if (toy) {
+    image.attrSet("loading", "eager");
+    image.meta.onlyStill = true;
+    inline.children = [image];
+    return;
+  }
   const button = new inline.constructor("html_inline", "", 0);
   const size = (image.meta.bytes / 1e6).toFixed(1);
   button.content =

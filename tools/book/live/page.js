@@ -28,7 +28,9 @@
       for (const twice of copy.querySelectorAll("annotation, .katex-html")) twice.remove();
       text += copy.textContent.replace(/\s/g, "");
     }
-    const named = variants.map(({ name }, place) => ({ place, words: name.replace(/:.*|\s/g, "") }));
+    const [shared] = /^(?:[^,]*, )?/.exec(variants[0].name); // "32 substeps, soft": the guess says "soft"
+    const own = (name) => (variants.every((one) => one.name.startsWith(shared)) ? name.slice(shared.length) : name);
+    const named = variants.map(({ name }, place) => ({ place, words: own(name).replace(/:.*|\s/g, "") }));
     const found = named.filter(({ words }) => text.includes(words));
     found.sort((a, b) => text.indexOf(a.words) - text.indexOf(b.words) || b.words.length - a.words.length);
     return found[0]?.place ?? 0;
@@ -92,6 +94,7 @@
     asked = false;
     const figure = figures.find((one) => one.dataset.chapter === state.get("live"));
     if (!figure) return;
+    players.get(figure)?.toy?.leave();
     players.get(figure)?.arrive(state);
     const player = await start(figure, state);
     if (!seen) return;
@@ -127,6 +130,9 @@
     whenNear(figures, [...document.querySelectorAll("figure.small-live")]);
     document.addEventListener("click", (event) => clicked(event, figures));
     addEventListener("hashchange", () => follow(figures));
+    const toy = document.querySelector("figure.toy");
+    if (toy && !location.hash.startsWith("#live=")) start(toy).then((player) => player ?? toy.classList.remove("toy"));
+    else toy?.classList.remove("toy");
     follow(figures);
   }
 

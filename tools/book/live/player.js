@@ -10,20 +10,22 @@
       Object.assign(this, { figure, engine, playing: false, target: 0 });
       this.view = new live.View(this, figure);
       this.iterations = new live.Iterations(this.view.iterations, engine, () => this.remember());
-      this.arrive(state);
+      this.toy = figure.matches(".toy") ? new live.Toy(this) : null;
+      this.arrive(this.toy?.state ?? state);
     }
 
     /** What an address says, in the place of what is played; what it says wrongly is left as it is. */
     arrive(from) {
       const { engine, view } = this,
-        { stage } = view;
+        { stage } = view,
+        { sheet } = this.figure.dataset;
       this.stop();
       this.challenge = this.speed = null;
       engine.set("");
       const scenes = () => engine.description.scenes; // their variants depend on the parameters
       const usual = Math.max(
         0,
-        scenes().findIndex(({ pictures }) => pictures),
+        scenes().findIndex(({ key, pictures }) => (sheet ? key === sheet : pictures)),
       ); // that of the sheet
       engine.choose(usual, [0, 1, 2, 3]);
       const own = engine.parameters
@@ -145,10 +147,16 @@
       this.remember();
     }
 
+    /** Of the variants that are shown. */
+    get names() {
+      return this.toy?.names ?? this.engine.lanes.map(({ name }) => name);
+    }
+
     // ---- the hand
     /** The time goes on, and farther than the scene's own where it was about to end. */
     grabbed() {
       this.held = this.pulled = true;
+      this.toy?.hint.remove();
       this.target = this.engine.now;
       this.view.lengthened();
       if (!this.playing) this.play();
@@ -280,6 +288,7 @@
     /** Into the address, once nothing has changed for a moment. */
     remember() {
       clearTimeout(this.remembering);
+      if (this.toy) return;
       this.remembering = setTimeout(() => {
         try {
           history.replaceState(null, "", `#${this.state}`);

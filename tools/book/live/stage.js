@@ -82,7 +82,8 @@
       Object.assign(this, { player, element, camera: new Camera(), follow: false, coarse: false });
       this.tab = 0; // the lane that is seen where there is room for one
       this.room = 0.72 * window.innerHeight; // CSS pixels of height
-      this.cost = 0; // ms, of a whole picture, as far as that is known
+      this.cost = Infinity; // ms, of a whole picture, as far as that is known: what moves is drawn coarsely until then
+      this.guesses = 5; // of the cost, from coarse pictures: the first ones compile shaders
       this.canvas = live.make("canvas", { className: "pb-canvas", tabIndex: 0, role: "img" });
       this.canvas.id = `pushback-live-${++live.Stage.count}`;
       this.tabs = live.make("div", { className: "pb-tabs", role: "tablist", "aria-label": "Variant that is seen" });
@@ -106,7 +107,7 @@
     arrange() {
       const { lanes, scene } = this.player.engine;
       const width = this.element.clientWidth || 640;
-      this.tabbed = width < narrow && lanes.length > 1;
+      this.tabbed = width < narrow && lanes.length > 1 && !this.player.toy;
       const seen = this.tabbed ? [lanes[this.tab]] : lanes;
       const count = seen.length;
       const aspect = scene.strobe && this.follow ? 1.6 : scene.aspect;
@@ -157,11 +158,12 @@
         const y = this.canvas.height - pixels(pane.top) - height;
         this.problem ||= engine.draw(pane.lane, shown, x, y, width, height);
       }
-      if (this.coarse || this.problem) return;
+      if (this.problem || (this.coarse && this.guesses-- <= 0)) return;
       // Until the picture is there: a processor that draws may take longer than a hand waits.
       const gl = this.canvas.getContext("webgl2");
       gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
-      this.cost = performance.now() - began;
+      const took = performance.now() - began;
+      this.cost = this.coarse ? Math.min(this.cost, took / coarseness ** 2) : took;
     }
     /** Until nothing has moved for a while, where whole pictures take long. */
     hurry() {
@@ -176,10 +178,13 @@
 
     /** Names over the panes, or tabs; and what lies between panes. */
     label() {
-      const { engine } = this.player,
+      const { engine, names } = this.player,
         { lanes } = engine,
         { make } = live;
-      const wanted = this.panes.map((pane) => ({ pane, ...lanes[pane.lane], mishap: engine.mishap(pane.lane) }));
+      const wanted = this.panes.map((pane) => {
+        const own = { name: names[pane.lane], mishap: engine.mishap(pane.lane) };
+        return { pane, ...lanes[pane.lane], ...own };
+      });
       const key = JSON.stringify([wanted, this.size, this.tabbed && lanes]);
       if (key === this.labelled) return;
       this.labelled = key;
@@ -198,7 +203,7 @@
       });
       const gutters = this.panes
         .filter(({ left }) => left > 0)
-        .map(({ left, top, height }) => within("pb-gutter", left - gutter, top - head, gutter, height + head));
+        .map(({ left, top, height }) => within("pb-gutter", left - gutter - 1, top - head, gutter + 1, height + head));
       if (this.empty) {
         const { left, top } = this.empty;
         const height = this.size.height - top + this.head;

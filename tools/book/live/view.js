@@ -206,9 +206,13 @@
       const rest = this.narrow
         ? top.offsetHeight - own + deck.offsetHeight
         : deck.getBoundingClientRect().bottom - root.getBoundingClientRect().top - own;
-      stage.room = Math.max(240, Math.min(0.72 * innerHeight, innerHeight - this.barred - rest - 8));
+      stage.room = Math.max(
+        240,
+        Math.min((this.player.toy ? 0.5 : 0.72) * innerHeight, innerHeight - this.barred - rest - 8),
+      );
       stage.arrange();
       stage.label();
+      this.player.toy?.place();
       this.player.changed();
     }
     /** Into the window, and the keys go to it. */
@@ -317,8 +321,8 @@
       if (!player.playing || !(this.cost > 50)) this.measure();
       this.curves.update();
       this.strips.update();
-      const lanes = engine.lanes.map(({ name }) => name).join("; ");
-      const seen = stage.tabbed ? engine.lanes[stage.tab].name : `from left to right and from the top: ${lanes}`;
+      const { names } = player;
+      const seen = stage.tabbed ? names[stage.tab] : `from left to right and from the top: ${names.join("; ")}`;
       stage.canvas.setAttribute("aria-label", `${engine.scene.name}, at ${time}: ${seen}.`);
     }
     measure() {
