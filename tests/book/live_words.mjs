@@ -1,9 +1,10 @@
 /// The words and pictures around an experiment: guesses, labels, lines that stay together, and how a page shows pictures of bodies.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { address, all, engineOf, experiments, launch, newPage, onAll } from "./support/browser.mjs";
+import { address, all, engineOf, experiments, isSource, launch, onAll } from "./support/browser.mjs";
 
 const chapters = all().filter((page) => /^chapters\/\d\d_[^/]*\/index\.html$/.test(page));
+const read = all().filter((page) => !isSource(page));
 let browser;
 before(async () => (browser = await launch()));
 after(() => browser.close());
@@ -52,7 +53,7 @@ test("labels of parameters have at most eight words", async () => {
 
 for (const width of [390, 1280])
   test(`${width} pixels wide, no line begins with the punctuation after a formula, nor with the unit of a number`, async () => {
-    await onAll(browser, chapters, { viewport: { width, height: 844 } }, async (page, name) => {
+    await onAll(browser, read, { viewport: { width, height: 844 } }, async (page, name) => {
       await page.goto(address(name));
       const parted = await page.evaluate(async () => {
         await document.fonts.ready;

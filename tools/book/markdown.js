@@ -56,13 +56,16 @@ const unit = "(?:[kcmµn]?m|[mµn]?s|k?g|k?Hz|k?N|k?J|rad|[kMG]?B|[°%])(?![\\w]
 const beforeUnit = new RegExp(`(\\d|\\b(?:N|kg)) (?=${unit})`, "g");
 const afterFormula = new RegExp(`^(?:\\s${unit})?[,.;:!?)\\]”’]*`);
 
-/// A unit stays on the line of its number. Brackets and punctuation marks stay on the line of a formula, where a browser may part them.
+/// A unit stays on the line of its number.
+export const withUnits = (text) => text.replace(beforeUnit, "$1\u00a0");
+
+/// Within a page: units, and brackets and punctuation marks stay on the line of a formula, where a browser may part them.
 function keepTogether(children) {
   children.forEach((child, i) => {
     const [before, after] = [children[i - 1]?.content ?? "", children[i + 1]?.content ?? ""];
     if (child.type === "softbreak" && `${before.slice(-2)} ${after.slice(0, 6)}`.search(beforeUnit) >= 0)
       Object.assign(child, { type: "text", content: "\u00a0" });
-    if (child.type === "text") child.content = child.content.replace(beforeUnit, "$1\u00a0");
+    if (child.type === "text") child.content = withUnits(child.content);
     if (child.type !== "math_inline") return;
     const next = children
       .slice(i + 1)

@@ -1,5 +1,6 @@
 /// What the layout is told of each page: where it stands in the course, its contents, what belongs to it.
 import path from "node:path";
+import { withUnits } from "./markdown.js";
 import { relative, toRoot } from "./outline.js";
 import { escaped, sourceHtml } from "./sources.js";
 
@@ -36,7 +37,8 @@ const missing = {
 };
 
 function described(page, { pictures }) {
-  const { file, part, chapter, live, parent, address, root, title, headings, sections, place } = page;
+  const { file, part, chapter, live, parent, address, root, headings, sections, place } = page;
+  const title = withUnits(page.title);
   const html = page.html.replace(/(<h1[^>]*>)(\d\d[a-z]?) /, '$1<span class="number">$2</span> ');
   const [, number, name = title] = /^(\d\d[a-z]?) (.*)$/.exec(title) ?? [];
   const task = /^Exercise \d\d(?:, transfer)?: (.*)$/.exec(title)?.[1];
