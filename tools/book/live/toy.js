@@ -4,7 +4,7 @@
   const live = (self.PushbackLive = self.PushbackLive || {});
   const { make } = live;
 
-  /// The solvers of the film, in chapter 07: three sweeps in each half of a step.
+  // The solvers of the film, in chapter 07: three sweeps in each half of a step.
   const stacks = "scene=stack&sweeps=3&seconds=120&pace=1&see=5&play=1";
   const names = { false: "impulses forgotten", true: "impulses remembered" };
 
@@ -14,7 +14,8 @@
       this.player = player;
       const { view } = player;
       this.box = make("input", { type: "checkbox", onchange: () => this.restart() });
-      this.hint = make("p", { className: "pb-hint", textContent: "← Pull me" });
+      const finger = matchMedia("(pointer: coarse)").matches; // rests on a body before it takes hold of it
+      this.hint = make("p", { className: "pb-hint", textContent: finger ? "← Hold and pull" : "← Pull me" });
       this.bar = [
         make("label", { className: "pb-check" }, this.box, "remember impulses"),
         live.small("all controls", () => this.leave()),
