@@ -342,25 +342,29 @@ test("without graphics, or where they are lost, the still picture and a sentence
 });
 
 const whole = experiments.includes("16_whole_problem") ? false : "chapter 16 is not compiled";
-test("a problem of one step is solved iteration by iteration, to and fro, to the same bits", { skip: whole }, async () => {
-  const page = await running(browser, "chapters/16_whole_problem/index.html", "live=16_whole_problem&iteration=3");
-  const impulses = () =>
-    page.evaluate(() => player.engine.problem.methods.map((_, i) => Array.from(player.engine.impulses(i))));
-  const shown = (iteration) => page.waitForFunction((k) => player.iterations.drawn === k, iteration);
-  await shown(3);
-  const three = await impulses();
-  await page.getByRole("button", { name: "One iteration on" }).click();
-  await shown(4);
-  assert.notDeepEqual(await impulses(), three);
-  await page.getByRole("button", { name: "One iteration back" }).click();
-  await shown(3);
-  assert.deepEqual(await impulses(), three);
-  await page.getByRole("button", { name: "Play the iterations" }).click();
-  await page.waitForFunction(() => player.engine.iteration > 8);
-  await page.getByRole("button", { name: "Pause the iterations" }).click();
-  assert.deepEqual(page.wrong, []);
-  await page.close();
-});
+test(
+  "a problem of one step is solved iteration by iteration, to and fro, to the same bits",
+  { skip: whole },
+  async () => {
+    const page = await running(browser, "chapters/16_whole_problem/index.html", "live=16_whole_problem&iteration=3");
+    const impulses = () =>
+      page.evaluate(() => player.engine.problem.methods.map((_, i) => Array.from(player.engine.impulses(i))));
+    const shown = (iteration) => page.waitForFunction((k) => player.iterations.drawn === k, iteration);
+    await shown(3);
+    const three = await impulses();
+    await page.getByRole("button", { name: "One iteration on" }).click();
+    await shown(4);
+    assert.notDeepEqual(await impulses(), three);
+    await page.getByRole("button", { name: "One iteration back" }).click();
+    await shown(3);
+    assert.deepEqual(await impulses(), three);
+    await page.getByRole("button", { name: "Play the iterations" }).click();
+    await page.waitForFunction(() => player.engine.iteration > 8);
+    await page.getByRole("button", { name: "Pause the iterations" }).click();
+    assert.deepEqual(page.wrong, []);
+    await page.close();
+  },
+);
 
 test("marks that ask for what does not exist are refused", async () => {
   const engine = await engineOf(chapter);
