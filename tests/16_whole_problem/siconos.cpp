@@ -4,7 +4,7 @@
 #include "pushback/chapters/16_whole_problem/problem_file.h"
 #include "pushback/common/world/situations.h"
 #include "pushback/engine/direct/row_matrix.h"
-#include "pushback/tools/measure/frozen/methods.h"
+#include "pushback/tools/measure/frozen/siconos.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
 #include "tests/support/foreign_problems.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "pushback/common/basics/files.h"
-#include "pushback/tools/measure/hard_cases/cases.h"
 #include "pushback/tools/measure/hard_cases/table.h"
 #include "tests/support/catch.h"
 

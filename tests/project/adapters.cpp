@@ -32,20 +32,20 @@ struct Defect {
 /// Ours, with a defect. It learns of damping, sleep and so on by the ways in which other engines have them.
 class Ours : public Player {
  public:
-  Ours(const Motion& motion, const Setting& setting, Defect defect)
-      : h_(static_cast<Real>(setting.dt())), sweeps_(setting.sweeps), defect_(std::move(defect)) {
-    motion.begin(world_);
+  Ours(const World& world, const Setting& setting, Defect defect)
+      : world_(world), sweeps_(setting.sweeps), defect_(std::move(defect)) {
     defect_.begins(world_);
   }
-  void frame(int substeps) override {
-    for (int i = 0; i < substeps; ++i) {
-      world_.step(solver_, h_, sweeps_);
-      defect_.after(world_, h_);
+  void steps(int count, double h) override {
+    for (int i = 0; i < count; ++i) {
+      world_.step(solver_, static_cast<Real>(h), sweeps_);
+      defect_.after(world_, static_cast<Real>(h));
       if (defect_.clock) seconds_ += defect_.clock();
     }
   }
-  Eigen::Vector3d place(std::size_t body) const override {
-    return defect_.scale * world_.bodies[body].position.cast<double>();
+  void get(Body& body) const override {
+    body = world_.bodies[static_cast<std::size_t>(body.index)];
+    body.position *= static_cast<Real>(defect_.scale);
   }
   std::optional<double> seconds() const override {
     if (!defect_.clock) return {};
@@ -55,18 +55,14 @@ class Ours : public Player {
  private:
   World world_;
   Jointed solver_;
-  Real h_;
   int sweeps_;
   Defect defect_;
   double seconds_ = 0;
 };
 
 Method method_with(const Defect& defect) {
-  return {.name = "ours",
-          .title = "ours",
-          .plays = [](const Motion&) { return true; },
-          .begin = [defect](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
-            return std::make_unique<Ours>(motion, setting, defect);
+  return {.name = "ours", .title = "ours", .begin = [defect](const World& world, const Setting& setting) {
+            return std::make_unique<Ours>(world, setting, defect);
           }};
 }
 

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "pushback/tools/measure/hard_cases/apart.h"
-#include "pushback/tools/measure/hard_cases/table_picture.h"
 #include "tests/support/call.h"
 #include "tests/support/complaint.h"
 

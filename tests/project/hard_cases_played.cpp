@@ -1,7 +1,6 @@
 /// What the book plays where a cell is opened is what the table has measured.
 #include "pushback/common/live/live.h"
-#include "pushback/tools/measure/hard_cases/described.h"
-#include "pushback/tools/measure/hard_cases/hard_case.h"
+#include "pushback/tools/measure/hard_cases/table.h"
 #include "tests/support/catch.h"
 
 using namespace pushback;

@@ -5,7 +5,6 @@
 #include <limits>
 #include <set>
 
-#include "pushback/tools/measure/hard_cases/table_picture.h"
 #include "pushback/tools/measure/results/origin.h"
 #include "tests/support/call.h"
 #include "tests/support/complaint.h"

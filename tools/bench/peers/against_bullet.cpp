@@ -53,12 +53,12 @@ void beside_peer(benchmark::State& state, const std::function<void(World&)>& fil
                               {"recommended", Recommended{}, 1}};
   Motion motion{.name = "", .title = "", .fill = fill, .seconds = 1, .truth = {}};
   const Setting as_it_comes{.substeps = PEER_SUBSTEPS, .sweeps = 10};
-  const std::unique_ptr<Player> player = peer_methods().front().begin(motion, as_it_comes);
+  MotionRun run(motion, peer_methods().front(), as_it_comes);
   World start;
   fill(start);
   std::vector<World> worlds(ways.size(), start);
   std::vector<AnySolver> solvers;
-  std::vector<std::function<double()>> things{[&] { return seconds_of([&] { player->frame(as_it_comes.substeps); }); }};
+  std::vector<std::function<double()>> things{[&] { return seconds_of([&] { run.frame(); }); }};
   for (const Way& way : ways) solvers.push_back(way.solver);
   for (std::size_t i = 0; i < ways.size(); ++i) {
     things.emplace_back([&, i] {

@@ -126,25 +126,18 @@ class From {
         throw InvalidInput(
             fmt::format("{} has the field '{}': only {} are allowed", name_, field, fmt::join(fields, ", ")));
   }
-  const Json& list(const char* field) const {
-    if (!of(field).is_array()) wrong(field, "a list");
-    return json_[field];
+  [[noreturn]] void wrong(const char* field, const std::string& needed) const {
+    throw InvalidInput(fmt::format("{} of {} is {}: {} is needed", field, name_, json_[field].dump(), needed));
   }
   From object(const char* field) const { return {of(field), fmt::format("{} of {}", field, name_)}; }
-  std::string word(const char* field) const {
-    if (!of(field).is_string()) wrong(field, "a word");
-    return json_[field];
-  }
+  const Json& list(const char* field) const { return of(field, &Json::is_array, "a list"); }
+  std::string word(const char* field) const { return of(field, &Json::is_string, "a word"); }
+  bool yes(const char* field) const { return of(field, &Json::is_boolean, "true or false"); }
   Real number(const char* field, Real least, Real most) const {
-    if (!of(field).is_number() || !between(json_[field], least, most))
-      wrong(field, fmt::format("a number from {} to {}", least, most));
+    if (!is_number(of(field), least, most)) wrong(field, fmt::format("a number from {} to {}", least, most));
     return json_[field].get<Real>();
   }
   Real length(const char* field) const { return number(field, smallest_length, largest); }
-  bool yes(const char* field) const {
-    if (!of(field).is_boolean()) wrong(field, "true or false");
-    return json_[field];
-  }
   /// Of one of so many bodies, or null: the world.
   int index(const char* field, std::size_t bodies) const {
     if (of(field).is_null()) return the_world;
@@ -155,6 +148,11 @@ class From {
   Vec3 vector(const char* field, Real least = -largest, Real most = largest) const {
     return vector_of(of(field), field, least, most);
   }
+  std::vector<Vec3> vectors(const char* field) const {
+    std::vector<Vec3> all;
+    for (const Json& one : list(field)) all.push_back(vector_of(one, field, -largest, largest));
+    return all;
+  }
   Vec3 direction(const char* field) const {
     const Vec3 v = vector(field);
     if (v.norm() < smallest_length) wrong(field, "a vector that is not 0");
@@ -162,18 +160,9 @@ class From {
   }
   Quat quaternion(const char* field) const {
     const Json& q = of(field);
-    if (!numbers(q, 4, -2, 2)) wrong(field, "four numbers, w x y z, of length 1,");
-    const Quat read(q[0], q[1], q[2], q[3]);
+    const Quat read = are_numbers(q, 4, -2, 2) ? Quat(q[0], q[1], q[2], q[3]) : Quat(0, 0, 0, 0);
     if (std::abs(read.norm() - 1) > Real(0.01)) wrong(field, "four numbers, w x y z, of length 1,");
     return read.normalized();
-  }
-  std::vector<Vec3> vectors(const char* field) const {
-    std::vector<Vec3> all;
-    for (const Json& one : list(field)) all.push_back(vector_of(one, field, -largest, largest));
-    return all;
-  }
-  [[noreturn]] void wrong(const char* field, const std::string& needed) const {
-    throw InvalidInput(fmt::format("{} of {} is {}: {} is needed", field, name_, json_[field].dump(), needed));
   }
 
  private:
@@ -181,17 +170,19 @@ class From {
     if (!has(field)) throw InvalidInput(fmt::format("{} has no {}", name_, field));
     return json_[field];
   }
-  static bool between(const Json& number, Real least, Real most) {
-    const Real value = number.get<Real>();
-    return value >= least && value <= most;
+  const Json& of(const char* field, bool (Json::*is)() const noexcept, const char* needed) const {
+    if (!(of(field).*is)()) wrong(field, needed);
+    return json_[field];
   }
-  static bool numbers(const Json& list, std::size_t count, Real least, Real most) {
-    return list.is_array() && list.size() == count && std::all_of(list.begin(), list.end(), [&](const Json& x) {
-             return x.is_number() && between(x, least, most);
-           });
+  static bool is_number(const Json& json, Real least, Real most) {
+    return json.is_number() && json.get<Real>() >= least && json.get<Real>() <= most;
+  }
+  static bool are_numbers(const Json& list, std::size_t count, Real least, Real most) {
+    return list.is_array() && list.size() == count &&
+           std::all_of(list.begin(), list.end(), [&](const Json& x) { return is_number(x, least, most); });
   }
   Vec3 vector_of(const Json& v, const char* field, Real least, Real most) const {
-    if (!numbers(v, 3, least, most)) wrong(field, fmt::format("three numbers from {} to {}", least, most));
+    if (!are_numbers(v, 3, least, most)) wrong(field, fmt::format("three numbers from {} to {}", least, most));
     return {v[0].get<Real>(), v[1].get<Real>(), v[2].get<Real>()};
   }
 
@@ -199,30 +190,32 @@ class From {
   std::string name_;
 };
 
-/// One that nothing moves gets any mass, and loses it.
-Body body_of_shape(const From& from, Real mass) {
-  const std::string kind = from.word("kind");
-  if (kind == "sphere") {
-    from.has_only({"kind", "radius"});
-    return sphere(from.length("radius"), mass);
-  }
-  if (kind == "box") {
-    from.has_only({"kind", "half_extents"});
-    return box(from.vector("half_extents", smallest_length), mass);
-  }
-  if (kind == "capsule") {
-    from.has_only({"kind", "radius", "half_length"});
-    return capsule(from.length("radius"), from.length("half_length"), mass);
-  }
-  if (kind == "hull") {
-    from.has_only({"kind", "corners"});
-    return hull(from.vectors("corners"), mass);
-  }
-  if (kind == "half_space") {
-    from.has_only({"kind", "normal"});
-    return half_space(from.direction("normal"));
-  }
-  from.wrong("kind", "sphere, box, capsule, hull or half_space");
+/// In the order of the kinds of Shape: the word, what is said of such a shape, and one of this mass.
+struct ShapeWords {
+  const char* kind;
+  std::vector<std::string> fields;
+  Body (*made)(const From& from, Real mass);
+};
+const std::array<ShapeWords, 5> shape_words{
+    {{"sphere", {"radius"}, [](const From& from, Real mass) { return sphere(from.length("radius"), mass); }},
+     {"box",
+      {"half_extents"},
+      [](const From& from, Real mass) { return box(from.vector("half_extents", smallest_length), mass); }},
+     {"capsule",
+      {"radius", "half_length"},
+      [](const From& from, Real mass) { return capsule(from.length("radius"), from.length("half_length"), mass); }},
+     {"hull", {"corners"}, [](const From& from, Real mass) { return hull(from.vectors("corners"), mass); }},
+     {"half_space", {"normal"}, [](const From& from, Real) { return half_space(from.direction("normal")); }}}};
+
+/// Of a list, what has the word that `from` has; no more fields than these and its own are allowed.
+template <class List>
+const auto& of_kind(const List& list, const From& from, const std::string& needed, std::vector<std::string> fields) {
+  const std::string word = from.word("kind");
+  const auto found = std::find_if(list.begin(), list.end(), [&](const auto& one) { return one.kind == word; });
+  if (found == list.end()) from.wrong("kind", needed);
+  fields.insert(fields.end(), found->fields.begin(), found->fields.end());
+  from.has_only(fields);
+  return *found;
 }
 
 /// Principal moments, of which none is larger than the sum of the other two: I_x + I_y - I_z = 2 ∫ z² dm.
@@ -237,8 +230,9 @@ Body body_from(const From& from) {
   from.has_only({"position", "orientation", "velocity", "angular_velocity", "mass", "inertia", "friction",
                  "restitution", "shape"});
   const bool moves = !from.is_null("mass");
-  const Real mass = moves ? from.number("mass", smallest_mass, largest_mass) : 1;
-  Body body = body_of_shape(from.object("shape"), mass);
+  const Real mass = moves ? from.number("mass", smallest_mass, largest_mass) : 1;  // what does not move loses it
+  const From shape = from.object("shape");
+  Body body = of_kind(shape_words, shape, "sphere, box, capsule, hull or half_space", {"kind"}).made(shape, mass);
   if (moves && std::holds_alternative<HalfSpace>(body.shape))
     from.wrong("mass", "null, since a half-space never moves,");
   if (!moves && from.has("inertia") && !from.is_null("inertia")) from.wrong("inertia", "null, as for the mass,");
@@ -260,41 +254,34 @@ Body body_from(const From& from) {
 }
 
 Joint joint_from(const From& from, const World& world) {
-  const std::string word = from.word("kind");
-  const auto words =
-      std::find_if(joint_words.begin(), joint_words.end(), [&](const JointWords& one) { return one.kind == word; });
-  if (words == joint_words.end())
-    from.wrong("kind", "ball_and_socket, hinge, angle_limits, twist_limits, cone_limit or motor");
+  const JointWords& words =
+      of_kind(joint_words, from, "ball_and_socket, hinge, angle_limits, twist_limits, cone_limit or motor",
+              {"kind", "a", "b", "colliding"});
   const int a = from.index("a", world.bodies.size()), b = from.index("b", world.bodies.size());
-  std::vector<std::string> fields{"kind", "a", "b", "colliding"};
-  fields.insert(fields.end(), words->fields.begin(), words->fields.end());
-  from.has_only(fields);
-  const auto anchor = [&] { return from.vector("anchor"); };
-  const auto axis = [&] { return from.direction("axis"); };
   const auto angle = [&](const char* field) { return from.number(field, -largest, largest); };
-  switch (static_cast<JointShape::Kind>(words - joint_words.begin())) {
+  switch (static_cast<JointShape::Kind>(&words - joint_words.data())) {
     case JointShape::ball_and_socket:
-      return ball_and_socket(world, a, b, anchor());
+      return ball_and_socket(world, a, b, from.vector("anchor"));
     case JointShape::hinge:
-      return hinge(world, a, b, anchor(), axis());
+      return hinge(world, a, b, from.vector("anchor"), from.direction("axis"));
     case JointShape::angle_limits:
-      return angle_limits(world, a, b, axis(), angle("low"), angle("high"));
+      return angle_limits(world, a, b, from.direction("axis"), angle("low"), angle("high"));
     case JointShape::twist_limits:
-      return twist_limits(world, a, b, axis(), angle("low"), angle("high"));
+      return twist_limits(world, a, b, from.direction("axis"), angle("low"), angle("high"));
     case JointShape::cone_limit:
-      return cone_limit(world, a, b, axis(), from.direction("axis_b"), angle("high"));
+      return cone_limit(world, a, b, from.direction("axis"), from.direction("axis_b"), angle("high"));
     case JointShape::motor:
       break;
   }
-  return motor_at_speed(world, a, b, axis(), from.number("speed", -fastest, fastest),
+  return motor_at_speed(world, a, b, from.direction("axis"), from.number("speed", -fastest, fastest),
                         from.number("torque", 0, largest_torque));
 }
 
-/// Makes one of a list, whose name is in all that is said of it.
+/// What `make` makes of one of a list, whose name is in all that is said of it.
 template <class Make>
-auto made(const std::string& name, const Make& make) {
+auto made(const std::string& name, const Json& json, const Make& make) {
   try {
-    return make(name);
+    return make(From(json, name));
   } catch (const InvalidInput& problem) {
     const std::string said = problem.what();
     throw InvalidInput(said.find(name) == std::string::npos ? name + ": " + said : said);
@@ -355,18 +342,15 @@ World scene_of(const Json& json) {
   World world;
   if (from.has("gravity")) world.gravity = from.vector("gravity");
   for (const Json& one : from.list("bodies"))
-    made(fmt::format("body {}", world.bodies.size()),
-         [&](const std::string& name) { return world.add(body_from(From(one, name))); });
+    world.add(made(fmt::format("body {}", world.bodies.size()), one, body_from));
   if (world.bodies.empty()) from.wrong("bodies", "a list of one body or more");
   if (!from.has("joints")) return world;
-  for (const Json& one : from.list("joints")) {
-    world.joints.push_back(made(fmt::format("joint {}", world.joints.size()), [&](const std::string& name) {
-      const From joint(one, name);
+  for (const Json& one : from.list("joints"))
+    world.joints.push_back(made(fmt::format("joint {}", world.joints.size()), one, [&](const From& joint) {
       Joint read = joint_from(joint, world);
       if (joint.has("colliding")) read.colliding = joint.yes("colliding");
       return read;
     }));
-  }
   return world;
 }
 

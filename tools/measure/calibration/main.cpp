@@ -10,7 +10,7 @@
 #include "pushback/common/experiment/program.h"
 #include "pushback/common/render/palette.h"
 #include "pushback/engine/substeps/thread_pool.h"
-#include "pushback/tools/measure/calibration/played.h"
+#include "pushback/tools/measure/calibration/calibration.h"
 #include "pushback/tools/measure/results/markdown.h"
 
 using namespace pushback;

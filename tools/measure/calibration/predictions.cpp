@@ -10,7 +10,7 @@
 #include "pushback/common/experiment/program.h"
 #include "pushback/engine/substeps/thread_pool.h"
 #include "pushback/tools/catalogue/catalogue.h"
-#include "pushback/tools/measure/calibration/scenes.h"
+#include "pushback/tools/measure/calibration/calibration.h"
 #include "pushback/tools/measure/hard_cases/hard_case.h"
 #include "pushback/tools/measure/results/markdown.h"
 

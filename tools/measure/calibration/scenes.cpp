@@ -1,4 +1,4 @@
-#include "pushback/tools/measure/calibration/scenes.h"
+#include "pushback/tools/measure/calibration/calibration.h"
 
 #include <array>
 #include <cmath>

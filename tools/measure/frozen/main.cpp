@@ -5,8 +5,7 @@
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/shard.h"
 #include "pushback/common/experiment/program.h"
-#include "pushback/tools/measure/frozen/report.h"
-#include "pushback/tools/measure/frozen/trace.h"
+#include "pushback/tools/measure/frozen/frozen.h"
 #include "pushback/tools/measure/results/chosen.h"
 #include "pushback/tools/measure/results/origin.h"
 

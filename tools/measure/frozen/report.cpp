@@ -1,5 +1,3 @@
-#include "pushback/tools/measure/frozen/report.h"
-
 #include <fmt/ranges.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/quantile.h"
 #include "pushback/common/experiment/marker.h"
+#include "pushback/tools/measure/frozen/frozen.h"
 #include "pushback/tools/measure/results/markdown.h"
 
 namespace pushback::frozen {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "pushback/chapters/17_direct_contacts/methods.h"
 #include "pushback/engine/direct/contact_problem.h"
 
 namespace pushback::frozen {
@@ -36,6 +37,17 @@ double siconos_error(const ContactProblem& problem, const Vector& r);
 inline double siconos_unit(const ContactProblem& problem, const Vector& r) {
   const double q = problem.q.norm();
   return std::max({q > 0 ? q : 1, r.norm(), problem.speeds(r).norm()});
+}
+
+/// All methods that are compared: those of chapters 16 and 17, then those of Siconos where it is built in.
+inline std::vector<std::string> frozen_methods() {
+  std::vector<std::string> names = method_names();
+  for (const std::string& name : siconos_methods()) names.push_back(name);
+  return names;
+}
+
+inline bool is_siconos(const std::string& method) {
+  return method.starts_with("Siconos ");
 }
 
 }  // namespace pushback::frozen

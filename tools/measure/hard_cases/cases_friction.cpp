@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "pushback/common/world/measure.h"
-#include "pushback/tools/measure/hard_cases/cases.h"
 #include "pushback/tools/measure/hard_cases/sliding.h"
 #include "pushback/tools/measure/hard_cases/standing.h"
 

@@ -5,7 +5,6 @@
 #include "pushback/chapters/25_moment_of_impact/scenes.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
-#include "pushback/tools/measure/hard_cases/cases.h"
 #include "pushback/tools/measure/hard_cases/standing.h"
 
 namespace pushback {

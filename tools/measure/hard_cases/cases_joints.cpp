@@ -7,7 +7,6 @@
 #include "pushback/common/basics/shortest_turn.h"
 #include "pushback/common/world/forces.h"
 #include "pushback/common/world/measure.h"
-#include "pushback/tools/measure/hard_cases/cases.h"
 #include "pushback/tools/measure/hard_cases/standing.h"
 
 namespace pushback {

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "pushback/common/world/measure.h"
-#include "pushback/tools/measure/hard_cases/cases.h"
 #include "pushback/tools/measure/hard_cases/paradox.h"
 #include "pushback/tools/measure/hard_cases/standing.h"
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "pushback/common/bodies/random.h"
-#include "pushback/tools/measure/hard_cases/cases.h"
 #include "pushback/tools/measure/hard_cases/standing.h"
 #include "pushback/tools/measure/hard_cases/thinnest_arch.h"
 

@@ -6,7 +6,6 @@
 
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"
-#include "pushback/tools/measure/hard_cases/cases.h"
 #include "pushback/tools/measure/hard_cases/standing.h"
 
 namespace pushback {

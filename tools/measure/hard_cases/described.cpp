@@ -1,10 +1,9 @@
-#include "pushback/tools/measure/hard_cases/described.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "pushback/tools/measure/hard_cases/hard_case.h"
+#include "pushback/common/experiment/experiment.h"
+#include "pushback/tools/measure/hard_cases/table.h"
 
 namespace pushback {
 

@@ -8,7 +8,6 @@
 #include "pushback/engine/islands/island_solver.h"
 #include "pushback/engine/substeps/wide_solver.h"
 #include "pushback/tools/catalogue/solvers.h"
-#include "pushback/tools/measure/hard_cases/finite.h"
 #include "pushback/tools/measure/hard_cases/ledger.h"
 #include "pushback/tools/measure/hard_cases/momentum_account.h"
 #include "pushback/tools/measure/hard_cases/watcher.h"
@@ -88,52 +87,46 @@ class Felt : public ForwardingSolver {
   std::vector<Body> before_;  // as they were when they began to move
 };
 
-/// A world that is watched. Energy is the ledger's, and overlaps are what they are.
-class Watched {
- public:
-  static constexpr Real any = std::numeric_limits<Real>::infinity();
-  explicit Watched(const RandomScene& scene)
-      : watcher(scene.world, {.energy = any, .overlap = any, .isolated = scene.isolated}), scene_(scene) {}
+/// Energy is the ledger's, and overlaps are what they are.
+Watcher watcher_of(const RandomScene& scene) {
+  constexpr Real any = std::numeric_limits<Real>::infinity();
+  return {scene.world, {.energy = any, .overlap = any, .isolated = scene.isolated}};
+}
 
-  Watcher watcher;
-
-  /// Each of its steps is cut into so many parts from outside, and by the solver into so many. `within`: what is wrong within a step.
-  template <class Within>
-  FuzzResult run(StepSolver& solver, int parts, int sweeps, int substeps, bool log, const Within& within) {
-    if (log) print_scene(scene_);
-    World world = scene_.world;
-    const Real dt = scene_.dt / static_cast<Real>(parts);
-    FuzzResult finding;
-    for (int step = 1; step <= steps && finding.broken.empty(); ++step) {
-      for (int i = 0; i < parts && finding.broken.empty(); ++i) {
-        world.step(solver, dt, sweeps);
-        finding.broken = within();
-        watcher.look(world, dt, substeps);
-        if (finding.broken.empty()) finding.broken = watcher.broken();
-      }
-      finding.step = step;
-      if (log) {
-        fmt::print("{:>3}  T {:<13.6g} |p| {:<13.6g} |L| {:<13.6g} {:>3} contacts, {:.4g} m deep  {}\n", step,
-                   kinetic_energy(world), momentum(world).norm(), angular_momentum(world).norm(), world.contacts.size(),
-                   deepest_overlap(world), finding.broken);
-      }
+/// Each step is cut into so many parts from outside, and by the solver into so many. `within`: what is wrong within a step.
+template <class Within>
+FuzzResult watched(const RandomScene& scene, Watcher& watcher, StepSolver& solver, int parts, int sweeps, int substeps,
+                   bool log, const Within& within) {
+  if (log) print_scene(scene);
+  World world = scene.world;
+  const Real dt = scene.dt / static_cast<Real>(parts);
+  FuzzResult finding;
+  for (int step = 1; step <= steps && finding.broken.empty(); ++step) {
+    for (int i = 0; i < parts && finding.broken.empty(); ++i) {
+      world.step(solver, dt, sweeps);
+      finding.broken = within();
+      watcher.look(world, dt, substeps);
+      if (finding.broken.empty()) finding.broken = watcher.broken();
     }
-    finding.hash = hash_of(world);
-    return finding;
+    finding.step = step;
+    if (log)
+      fmt::print("{:>3}  T {:<13.6g} |p| {:<13.6g} |L| {:<13.6g} {:>3} contacts, {:.4g} m deep  {}\n", step,
+                 kinetic_energy(world), momentum(world).norm(), angular_momentum(world).norm(), world.contacts.size(),
+                 deepest_overlap(world), finding.broken);
   }
-
- private:
-  const RandomScene& scene_;
-};
+  finding.hash = hash_of(world);
+  return finding;
+}
 
 /// A solver that keeps books, in steps that are cut from outside.
 template <class ContactSolver, int parts, int sweeps>
 FuzzResult with_books(const RandomScene& scene, bool log) {
-  Watched watched(scene);
+  Watcher watcher = watcher_of(scene);
   Ledger ledger;
   ContactSolver solver(ledger);
-  Felt felt(solver, watched.watcher);
-  return watched.run(felt, parts, sweeps, 1, log, [&] { return felt.broken.empty() ? ledger.broken : felt.broken; });
+  Felt felt(solver, watcher);
+  return watched(scene, watcher, felt, parts, sweeps, 1, log,
+                 [&] { return felt.broken.empty() ? ledger.broken : felt.broken; });
 }
 
 /// A solver that divides its steps itself: within them, the world after each substep is felt.
@@ -166,20 +159,20 @@ struct FeltIslands : IslandSolver {
   StepSolver& inner() override { return felt; }
   const StepSolver& inner() const override { return felt; }
 };
-std::string nothing() {
-  return {};
+/// A solver that divides its steps itself, by `felt`.
+FuzzResult felt_within(const RandomScene& scene, bool log, StepSolver& solver, FeltWhole<WideSolver<Real>>& felt) {
+  Watcher watcher = watcher_of(scene);
+  felt.watcher = &watcher;
+  return watched(scene, watcher, solver, 1, solver.plan(scene.dt).sweeps, felt.substeps, log,
+                 [] { return std::string(); });
 }
 FuzzResult wide(const RandomScene& scene, bool log) {
-  Watched watched(scene);
   FeltWhole<WideSolver<Real>> solver;
-  solver.watcher = &watched.watcher;
-  return watched.run(solver, 1, solver.plan(scene.dt).sweeps, solver.substeps, log, nothing);
+  return felt_within(scene, log, solver, solver);
 }
 FuzzResult islands(const RandomScene& scene, bool log) {
-  Watched watched(scene);
   FeltIslands solver;
-  solver.felt.watcher = &watched.watcher;
-  return watched.run(solver, 1, solver.plan(scene.dt).sweeps, solver.substep_solver.substeps, log, nothing);
+  return felt_within(scene, log, solver, solver.felt);
 }
 
 struct FuzzedStage {

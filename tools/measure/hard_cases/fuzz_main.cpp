@@ -1,12 +1,12 @@
 /// ./course fuzz: random scenes, or one of them step by step.
 #include <map>
 #include <set>
-#include <sstream>
 
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/shard.h"
 #include "pushback/common/experiment/program.h"
 #include "pushback/tools/measure/hard_cases/fuzz.h"
+#include "pushback/tools/measure/results/csv.h"
 #include "pushback/tools/measure/results/origin.h"
 
 using namespace pushback;
@@ -19,25 +19,18 @@ std::filesystem::path origin_of(const std::string& saved) {
   return saved + ".origin";
 }
 
+constexpr const char* heading = "stage,seed,step,broken";
+
 /// What parts have saved.
 Findings read_parts(const std::vector<std::string>& files) {
   std::vector<std::filesystem::path> origins;
   for (const std::string& file : files) origins.push_back(origin_of(file));
   require_one_origin(origins, Holds::numbers);
   Findings all;
-  for (const std::string& file : files) {
-    std::istringstream in(read_text_file(file));
-    for (std::string stage, numbers; std::getline(in, stage, '\t');) {
-      FuzzResult f;
-      std::uint64_t seed = 0;
-      std::getline(in, numbers, '\t');
-      std::getline(in, f.broken);
-      std::istringstream words(numbers);
-      if (!(words >> seed >> f.step))
-        throw InvalidInput(fmt::format("{} is not what --save wrote: '{}'", file, numbers));
-      all[{stage, seed}] = f;
-    }
-  }
+  for (const std::string& file : files)
+    read_csv_lines(read_text_file(file), heading, [&](const std::vector<std::string>& f) {
+      all[{f[0], csv_number<std::uint64_t>(f[1])}] = {.broken = f[3], .step = csv_number<int>(f[2])};
+    });
   return all;
 }
 
@@ -64,7 +57,7 @@ int main(int argc, char** argv) {
     const Shard shard = shard_of(shard_text);
     if (!save.empty()) require_writable_file(save);
     const Findings known_parts = read_parts(parts);
-    std::string saved;
+    std::string saved = fmt::format("{}\n", heading);
     const bool replay = one.given();
     if (replay) {
       first = seed;
@@ -83,7 +76,7 @@ int main(int argc, char** argv) {
         ++runs;
         if (replay) fmt::print("scene {}, {}\n", first + i, stage);
         const FuzzResult finding = finding_of(stage, first + i);
-        saved += fmt::format("{}\t{} {}\t{}\n", stage, first + i, finding.step, finding.broken);
+        saved += fmt::format("{},{},{},{}\n", csv_field(stage), first + i, finding.step, csv_field(finding.broken));
         const bool broke = !finding.broken.empty(), expected = known.contains(first + i);
         if (broke != expected) ++failed;
         if (broke) {

@@ -7,7 +7,6 @@
 
 #include "pushback/common/basics/named.h"
 #include "pushback/common/bodies/random.h"
-#include "pushback/tools/measure/hard_cases/cases.h"
 
 namespace pushback {
 

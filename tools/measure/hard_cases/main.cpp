@@ -1,8 +1,7 @@
 /// ./course hard-cases: every case under every stage, as files and as a picture; or these again from table.csv.
 #include "pushback/common/basics/files.h"
 #include "pushback/common/experiment/loaded_solver.h"
-#include "pushback/tools/measure/hard_cases/apart.h"
-#include "pushback/tools/measure/hard_cases/table_program.h"
+#include "pushback/tools/measure/hard_cases/table.h"
 
 using namespace pushback;
 

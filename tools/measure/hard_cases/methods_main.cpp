@@ -1,6 +1,6 @@
 /// The hard cases under the methods of tools/methods: a table of its own, for docs/methods.md.
 #include "pushback/chapters/11_substeps/substeps.h"
-#include "pushback/tools/measure/hard_cases/table_program.h"
+#include "pushback/tools/measure/hard_cases/table.h"
 #include "pushback/tools/measure/results/markdown.h"
 #include "pushback/tools/methods/methods.h"
 

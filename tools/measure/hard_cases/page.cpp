@@ -1,5 +1,6 @@
 /// What the book plays where a cell of the table of hard cases is opened.
-#include "pushback/tools/measure/hard_cases/described.h"
+#include "pushback/common/experiment/experiment.h"
+#include "pushback/tools/measure/hard_cases/table.h"
 
 int main(int argc, char** argv) {
   pushback::Experiment e("hard_cases", "Which stage keeps which case stable?");

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "pushback/common/basics/named.h"
+
 namespace pushback {
 
 namespace {
@@ -111,29 +113,15 @@ Table beside_peers(const Table& ours, const Table& peers) {
   std::vector<Stage> columns = stages_beside_peers();
   const std::size_t own = columns.size();
   columns.insert(columns.end(), peers.stages.begin(), peers.stages.end());
-  const auto place = [](const auto& list, const std::string& name) {
-    return static_cast<std::size_t>(
-        std::find_if(list.begin(), list.end(), [&](const auto& one) { return one.name == name; }) - list.begin());
-  };
-  std::vector<HardCase> cases;
-  for (const HardCase& hard_case : peers.cases)
-    if (place(ours.cases, hard_case.name) < ours.cases.size()) cases.push_back(hard_case);
-  Table table = empty_table(std::move(cases), std::move(columns));
+  std::vector<HardCase> cases = peers.cases;
+  const std::vector<std::string> names = names_of(ours.cases);
+  std::erase_if(cases, [&](const HardCase& one) { return std::ranges::find(names, one.name) == names.end(); });
+  Table table = assembled(std::move(cases), std::move(columns), {&ours, &peers});
   table.chapters = own;
   table.asks = "Which hard case does which engine keep stable?";
   table.first = "ours";
   table.others = "other engines";
   table.rescues = false;
-  for (std::size_t row = 0; row < table.cases.size(); ++row) {
-    for (std::size_t column = 0; column < table.stages.size(); ++column) {
-      const Table& from = column < own ? ours : peers;
-      const std::size_t its_row = place(from.cases, table.cases[row].name),
-                        its_column = place(from.stages, table.stages[column].name);
-      if (its_column == from.stages.size())
-        throw InvalidInput(fmt::format("table.csv has no stage '{}'", table.stages[column].name));
-      table.outcomes[row * table.stages.size() + column] = from.at(its_row, its_column);
-    }
-  }
   return table;
 }
 

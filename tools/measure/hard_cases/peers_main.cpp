@@ -4,7 +4,7 @@
 #include "pushback/common/basics/files.h"
 #include "pushback/tools/measure/adapters/adapter.h"
 #include "pushback/tools/measure/hard_cases/peers.h"
-#include "pushback/tools/measure/hard_cases/table_program.h"
+#include "pushback/tools/measure/hard_cases/table.h"
 
 using namespace pushback;
 namespace fs = std::filesystem;

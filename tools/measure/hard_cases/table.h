@@ -5,9 +5,13 @@
 #include <optional>
 
 #include "pushback/common/basics/shard.h"
+#include "pushback/common/experiment/program.h"
+#include "pushback/common/render/image.h"
 #include "pushback/tools/measure/hard_cases/hard_case.h"
 
 namespace pushback {
+
+class Experiment;
 
 struct Table {
   std::vector<HardCase> cases;  ///< the rows
@@ -48,6 +52,22 @@ Table play(std::vector<HardCase> cases, std::vector<Stage> stages, int threads, 
 
 /// With an outcome for each pair, of nothing.
 Table empty_table(std::vector<HardCase> cases, std::vector<Stage> stages);
+/// Of these cases and stages, from the first of the tables in which a pair was played. Throws InvalidInput where it was in none.
+Table assembled(std::vector<HardCase> cases, std::vector<Stage> stages, const std::vector<const Table*>& from);
+
+// ---- a case played by a process of its own: another engine is a program, and a reader's solver may crash, throw or never end ----
+
+/// What `broken` begins with where the time was over.
+inline constexpr const char* no_end = "no end";
+/// stage.apart, the program and its arguments, plays the case, and is ended after so many seconds. See program_apart.
+Outcome outcome_apart(const HardCase& hard_case, const Stage& stage, double seconds);
+/// Such a program:  PROGRAM --setting SETTING --hard-case NAME --starts COUNT --out FOLDER  plays the case under the stage of this
+/// setting, and writes what outcome_apart reads. Returns the exit status.
+int program_apart(int argc, const char* const* argv, const std::function<Stage(const std::string& setting)>& stage_of);
+/// Whether a program is called so.
+bool is_called_apart(int argc, const char* const* argv);
+
+// ---- words and files ----
 
 /// The column whose feature rescues the case: among the chapters, the first from which on all pass, unless that is the very
 /// first; where the last chapter fails, the first column behind the chapters that passes. None, where nothing helps, nothing is
@@ -70,13 +90,38 @@ std::string table_csv(const Table& table);
 /// Back from it: what is then written and drawn is the same. Throws InvalidInput where it is no such table, or of other cases,
 /// stages or criteria than there are.
 Table read_table_csv(const std::string& text, const std::vector<Stage>& stages = table_stages());
-/// Of all cases under these stages: what `now` has, and where it has nothing, what `before` has. Throws InvalidInput where neither has a
-/// pair.
-Table renewed(const Table& before, const Table& now, std::vector<Stage> stages);
 /// For GitHub: a row a case, a column a stage, the chapters and the others in a table each; below them what every case
 /// stresses and what is asked of it. `folder`: where the page will be, for its links to the chapters.
 std::string table_md(const Table& table, const std::filesystem::path& folder);
 /// case, stage, ms_per_step: the only file that differs from run to run.
 std::string times_csv(const Table& table);
+/// A row a case, a cell for each stage: which of them pass, without numbers.
+Image draw_overview(const Table& table);
+
+/// The cases as an experiment, to be called inside `run`'s `define`: a scene each case, under the case's name, and a variant each stage.
+/// Each is played as it begins, in steps of --dt; what a case does besides (other worlds, other starts) is left to its `run`.
+void describe_hard_cases(Experiment& experiment);
+
+// ---- what the programs that play a table have in common ----
+
+/// Which columns a table has, and what is made of it.
+struct TableKind {
+  std::string folder = "hard_cases";  ///< in that of --out
+  std::string file = "table";         ///< the names of its CSV file and its page
+  std::string times = "times.csv";    ///< milliseconds of a step: the only file that differs from run to run
+  std::string picture = "overview";   ///< the name of its picture; empty: it has none
+  std::vector<Stage> stages = {};     ///< the columns to choose from
+  std::vector<Stage> further = {};    ///< columns after the chosen ones
+  bool whole = true;                  ///< else its files go to part/, whatever is chosen
+  GivingUp giving_up = {};            ///< of a stage that is played apart
+  std::function<std::string(const Table&, const std::filesystem::path& folder)> page = table_md;
+  std::function<Table(const Table&)> shown = [](const Table& table) {
+    return table;
+  };  ///< on the page and in the picture
+};
+
+/// Adds the common options to the line, reads it, and plays, joins or shows the table. `kind_of` is called after the options were read.
+/// Returns the exit status: 1 if a stage that is played apart crashed, threw or came to no end.
+int table_program(int argc, const char* const* argv, CommandLine& line, const std::function<TableKind()>& kind_of);
 
 }  // namespace pushback

@@ -1,10 +1,9 @@
-#include "pushback/tools/measure/hard_cases/table_picture.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "pushback/common/render/canvas.h"
+#include "pushback/tools/measure/hard_cases/table.h"
 
 namespace pushback {
 

@@ -1,34 +1,20 @@
-/// Playing all of the table's pairs, on several threads.
+/// Playing all of the table's pairs: on several threads, and some by processes of their own.
+#include <algorithm>
 #include <atomic>
-#include <future>
+#include <cstring>
+#include <limits>
 #include <mutex>
+#include <string_view>
 
-#include "pushback/common/basics/input.h"
-#include "pushback/tools/measure/hard_cases/apart.h"
+#include "pushback/common/basics/files.h"
+#include "pushback/common/basics/process.h"
+#include "pushback/common/experiment/program.h"
+#include "pushback/engine/substeps/thread_pool.h"
 #include "pushback/tools/measure/hard_cases/table.h"
 
 namespace pushback {
 
-namespace {
-
-/// Calls work(i) for each i below count, on so many threads; an exception comes out.
-void in_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next = 0;
-  const auto take = [&] {
-    try {
-      for (std::size_t i = next++; i < count; i = next++) work(i);
-    } catch (...) {
-      next = count;
-      throw;
-    }
-  };
-  std::vector<std::future<void>> others;
-  for (int i = 1; i < threads; ++i) others.push_back(std::async(std::launch::async, take));
-  take();
-  for (std::future<void>& other : others) other.get();
-}
-
-}  // namespace
+namespace fs = std::filesystem;
 
 const Outcome* Table::find(const std::string& name, const std::string& stage) const {
   for (std::size_t row = 0; row < cases.size(); ++row) {
@@ -38,17 +24,66 @@ const Outcome* Table::find(const std::string& name, const std::string& stage) co
   return nullptr;
 }
 
-Table renewed(const Table& before, const Table& now, std::vector<Stage> stages) {
-  Table table = empty_table(hard_cases(), std::move(stages));
+Table assembled(std::vector<HardCase> cases, std::vector<Stage> stages, const std::vector<const Table*>& from) {
+  Table table = empty_table(std::move(cases), std::move(stages));
   for (std::size_t pair = 0; pair < table.outcomes.size(); ++pair) {
     const std::string &name = table.cases[pair / table.stages.size()].name,
                       &stage = table.stages[pair % table.stages.size()].name;
-    const Outcome* outcome = now.find(name, stage);
-    if (!outcome) outcome = before.find(name, stage);
+    const Outcome* outcome = nullptr;
+    for (const Table* one : from) outcome = outcome ? outcome : one->find(name, stage);
     if (!outcome) throw InvalidInput(fmt::format("{} was never played under {}: name it, too", name, stage));
     table.outcomes[pair] = *outcome;
   }
   return table;
+}
+
+namespace {
+
+/// Of a case without numbers.
+Outcome without_end(const HardCase& hard_case, const std::string& why) {
+  const std::vector<Real> nothing(hard_case.criteria.size(), std::numeric_limits<Real>::quiet_NaN());
+  return {.numbers = nothing, .broken = why, .ended = false};
+}
+
+}  // namespace
+
+Outcome outcome_apart(const HardCase& hard_case, const Stage& stage, double seconds) {
+  const ScratchFolder scratch;
+  std::vector<std::string> command = stage.apart;
+  for (const std::string& word : {std::string("--hard-case"), hard_case.name, std::string("--starts"),
+                                  std::to_string(hard_case.starts), std::string("--out"), scratch.path.string()})
+    command.push_back(word);
+  const Ended ended = run_program(command, seconds);
+  if (ended.out_of_time) return without_end(hard_case, fmt::format("{} within {:g} s", no_end, seconds));
+  if (ended.signal != 0) return without_end(hard_case, fmt::format("crashed: {}", strsignal(ended.signal)));
+  const std::vector<std::string> said = lines_of(ended.err);
+  if (ended.status != 0) return without_end(hard_case, "threw: " + (said.empty() ? "no words" : said.back()));
+  if (!fs::exists(scratch.path / "times.csv")) return without_end(hard_case, "crashed: it left the program");
+  Outcome outcome = read_table_csv(read_text_file(scratch.path / "table.csv"), {stage}).outcomes.front();
+  const std::string times = lines_of(read_text_file(scratch.path / "times.csv")).back();
+  outcome.ms_per_step = std::stod(times.substr(times.rfind(',') + 1));
+  return outcome;
+}
+
+bool is_called_apart(int argc, const char* const* argv) {
+  return argc > 1 && std::string_view(argv[1]) == "--setting";
+}
+
+int program_apart(int argc, const char* const* argv, const std::function<Stage(const std::string& setting)>& stage_of) {
+  CommandLine line("Plays a hard case under one stage, for a program that makes a table.");
+  std::string setting, name, out;
+  int starts = many_starts;
+  line.option("--setting", setting, "Which stage, or which solver").required();
+  line.option("--hard-case", name, "The case").required();
+  line.option("--starts", starts, "At most so many starts").between(1, many_starts);
+  line.option("--out", out, "The folder for table.csv and times.csv").required();
+  return line.run(argc, argv, [&] {
+    HardCase hard_case = hard_case_named(name);
+    hard_case.starts = std::min(hard_case.starts, starts);
+    const Table table = play({hard_case}, {stage_of(setting)}, 1, [](const Table&, std::size_t, std::size_t) {});
+    write_text_file(fs::path(out) / "table.csv", table_csv(table));
+    write_text_file(fs::path(out) / "times.csv", times_csv(table));
+  });
 }
 
 Table play(std::vector<HardCase> cases, std::vector<Stage> stages, int threads, const Progress& progress,
@@ -60,8 +95,7 @@ Table play(std::vector<HardCase> cases, std::vector<Stage> stages, int threads, 
   std::size_t rows = 0, done = 0;
   std::mutex mutex;
   std::atomic<int> given_up = 0;
-  in_parallel(pairs, threads, [&](std::size_t i) {
-    if (!shard.has(i)) return;
+  const auto play_pair = [&](std::size_t i) {
     const HardCase& hard_case = table.cases[i / columns];
     const Stage& stage = table.stages[i % columns];
     Outcome outcome =
@@ -75,6 +109,11 @@ Table play(std::vector<HardCase> cases, std::vector<Stage> stages, int threads, 
     --left[i / columns];
     while (rows < left.size() && left[rows] == 0) ++rows;
     progress(table, rows, ++done);
+  };
+  ThreadPool pool(threads, true);
+  pool.each(pairs, 1, [&](Part part) {
+    for (std::size_t i = part.begin; i < part.end; ++i)
+      if (shard.has(i)) play_pair(i);
   });
   return table;
 }

@@ -1,4 +1,4 @@
-#include "pushback/tools/measure/hard_cases/table_program.h"
+#include "pushback/tools/measure/hard_cases/table.h"
 
 #include <unistd.h>
 
@@ -7,7 +7,6 @@
 
 #include "pushback/common/basics/files.h"
 #include "pushback/common/experiment/kept_picture.h"
-#include "pushback/tools/measure/hard_cases/table_picture.h"
 #include "pushback/tools/measure/results/chosen.h"
 #include "pushback/tools/measure/results/origin.h"
 
@@ -85,17 +84,6 @@ void leave_out_missing(std::vector<Stage>& columns, bool by_name) {
   if (columns.empty()) throw InvalidInput(missing);
 }
 
-/// Those of all stages that one of the two tables has.
-std::vector<Stage> in_either(const std::vector<Stage>& all, const Table& one, const Table& other) {
-  const auto has = [](const Table& table, const Stage& stage) {
-    return std::any_of(table.stages.begin(), table.stages.end(),
-                       [&](const Stage& in) { return in.name == stage.name; });
-  };
-  std::vector<Stage> found = all;
-  std::erase_if(found, [&](const Stage& stage) { return !has(one, stage) && !has(other, stage); });
-  return found;
-}
-
 class TableRun {
  public:
   TableRun(const Options& options, TableKind kind)
@@ -125,7 +113,7 @@ class TableRun {
     make_writable_folder(folder);
     const bool all_numbers = !shard.whole() || (!whole && (kind_.further.empty() || cases.size() <= 3));
     Table table = played(std::move(cases), std::move(columns), shard, all_numbers);
-    if (before) table = renewed(*before, table, in_either(kind_.stages, *before, table));
+    if (before) table = renewed(table, *before);
     write(table, times_csv(table), folder);
     if (!shard.whole()) write_text_file(folder / "origin.txt", origin_text(origin_here()));
     else show(table, folder);
@@ -133,6 +121,15 @@ class TableRun {
   }
 
  private:
+  /// All cases under the stages that either table has: what `now` has, and else what `before` has.
+  Table renewed(const Table& now, const Table& before) const {
+    std::vector<Stage> stages = kind_.stages;
+    std::vector<std::string> names = names_of(now.stages);
+    for (const Stage& stage : before.stages) names.push_back(stage.name);
+    std::erase_if(stages, [&](const Stage& one) { return std::ranges::find(names, one.name) == names.end(); });
+    return assembled(hard_cases(), std::move(stages), {&now, &before});
+  }
+
   Table read(const fs::path& folder) const {
     return read_table_csv(read_text_file(folder / (kind_.file + ".csv")), kind_.stages);
   }

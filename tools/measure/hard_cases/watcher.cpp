@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "pushback/common/world/measure.h"
-#include "pushback/tools/measure/hard_cases/finite.h"
 
 namespace pushback {
 

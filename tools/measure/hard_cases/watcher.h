@@ -10,6 +10,18 @@
 
 namespace pushback {
 
+/// Whether every number of its bodies and impulses is.
+inline bool finite(const World& world) {
+  for (const Body& body : world.bodies) {
+    if (!body.position.allFinite() || !body.orientation.coeffs().allFinite()) return false;
+    if (!body.velocity.allFinite() || !body.angular_velocity.allFinite()) return false;
+  }
+  for (const Contact& contact : world.contacts) {
+    if (!contact.impulse.allFinite()) return false;
+  }
+  return true;
+}
+
 /// What a scene allows.
 struct Allowance {
   Real energy = 0;           ///< J above the start: what push-outs may feed in

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "pushback/tools/measure/peers/joint_shape.h"
 #include "pushback/tools/measure/peers/peer.h"
 
 namespace pushback {
@@ -223,14 +222,14 @@ class Box3d : public Engine {
 
 /// `often`: substeps are steps of Box3D's, each with so many substeps of its own as there are sweeps. Else a frame is a step.
 Method method(const std::string& name, const std::string& title, const Box3dChoice& choice, bool often = false) {
-  Method made = method_of(
-      name, title,
-      [choice, often](const World& world, const Setting& setting) {
-        return std::make_unique<Box3d>(world, choice, often ? setting.sweeps : setting.substeps);
-      },
-      !often);
-  made.sweeps = often;
-  return made;
+  return {.name = name,
+          .title = title,
+          .begin =
+              [choice, often](const World& world, const Setting& setting) {
+                return std::make_unique<Box3d>(world, choice, often ? setting.sweeps : setting.substeps);
+              },
+          .sweeps = often,
+          .divides = !often};
 }
 
 }  // namespace

@@ -9,9 +9,7 @@
 #include <cmath>
 #include <optional>
 
-#include "pushback/tools/measure/peers/joint_shape.h"
 #include "pushback/tools/measure/peers/peer.h"
-#include "pushback/tools/measure/study/every_motion.h"
 
 namespace pushback {
 
@@ -338,16 +336,16 @@ struct Dantzig : private btDantzigSolver, public btMLCPSolver {
 
 Method method(const std::string& name, const std::string& title, const Choice& choice) {
   const bool in_double = sizeof(btScalar) == sizeof(double);
-  Method made = method_of((in_double ? "bullet-double" : "bullet") + name, title + (in_double ? ", double" : ", float"),
-                          [choice](const World& world, const Setting& setting) {
-                            Choice with = choice;
-                            with.sweeps = setting.sweeps;
-                            return std::make_unique<Bullet>(world, with);
-                          });
-  // Solved directly, all rows make one dense matrix: those of a thousand bodies at rest would take 14 GB.
-  if (choice.direct) made.plays = [](const Motion& motion) { return moving_bodies(motion) <= 200; };
-  made.sweeps = !choice.direct;
-  return made;
+  return {.name = (in_double ? "bullet-double" : "bullet") + name,
+          .title = title + (in_double ? ", double" : ", float"),
+          .plays = choice.direct ? few_bodies : plays_all,
+          .begin =
+              [choice](const World& world, const Setting& setting) {
+                Choice with = choice;
+                with.sweeps = setting.sweeps;
+                return std::make_unique<Bullet>(world, with);
+              },
+          .sweeps = !choice.direct};
 }
 
 }  // namespace

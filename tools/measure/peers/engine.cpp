@@ -4,7 +4,7 @@
 
 #include "pushback/common/basics/input.h"
 #include "pushback/common/world/step.h"
-#include "pushback/tools/measure/hard_cases/finite.h"
+#include "pushback/tools/measure/hard_cases/watcher.h"
 
 namespace pushback {
 
@@ -42,40 +42,7 @@ bool same_state(const Body& one, const Body& other) {
          one.velocity == other.velocity && one.angular_velocity == other.angular_velocity;
 }
 
-class PlaysMotion : public Player {
- public:
-  PlaysMotion(World world, std::unique_ptr<Engine> engine, double h, bool divides)
-      : world_(std::move(world)), engine_(std::move(engine)), h_(h), divides_(divides) {}
-  void frame(int substeps) override { engine_->steps(divides_ ? 1 : substeps, h_); }
-  Eigen::Vector3d place(std::size_t body) const override {
-    Body there = world_.bodies[body];
-    if (there.movable()) engine_->get(there);
-    return there.position.cast<double>();
-  }
-  std::optional<double> row_solves() const override { return engine_->row_solves(); }
-  std::optional<double> seconds() const override { return engine_->seconds(); }
-
- private:
-  World world_;  // as it was at the begin
-  std::unique_ptr<Engine> engine_;
-  double h_;
-  bool divides_;
-};
-
 }  // namespace
-
-Method method_of(const std::string& name, const std::string& title, const BeginForMotion& begin, bool divides) {
-  return {.name = name,
-          .title = title,
-          .plays = [](const Motion&) { return true; },
-          .begin = [begin, divides](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
-            World world;
-            motion.begin(world);
-            std::unique_ptr<Engine> engine = begin(world, setting);
-            const double h = divides ? 1.0 / frames_per_second : setting.dt();
-            return std::make_unique<PlaysMotion>(std::move(world), std::move(engine), h, divides);
-          }};
-}
 
 void check_plain(const Body& body) {
   if (body.skin != 0) throw not_had("a skin around a body");

@@ -8,26 +8,19 @@
 namespace pushback {
 
 /// Sleeping and damping are off; a pair rubs and bounces as a pair of ours does.
-class Engine {
+class Engine : public Player {
  public:
-  virtual ~Engine() = default;
   /// The body's position, orientation and velocities become the engine's.
   virtual void put(const Body& body) = 0;
-  /// The position, orientation and velocities of a movable body, from the engine.
-  virtual void get(Body& body) const = 0;
   /// An immovable body that moves: in the next step it goes from `now` to `then`.
   virtual void drive(const Body& now, const Body& then) = 0;
   /// The force and torque of a movable body act in the next step.
   virtual void push(const Body& body) = 0;
   /// Moves on by h, s. Throws InvalidInput where the engine gives up.
   virtual void step(double h) = 0;
-  /// So many steps, after which it is asked where its bodies are.
-  virtual void steps(int count, double h) {
+  void steps(int count, double h) override {
     for (int i = 0; i < count; ++i) step(h);
   }
-  // As of a Player.
-  virtual std::optional<double> row_solves() const { return {}; }
-  virtual std::optional<double> seconds() const { return {}; }
 };
 
 using BeginEngine = std::unique_ptr<Engine>(const World& world, const PeerSetting& setting);
@@ -42,11 +35,6 @@ void check_plain(const Body& body);
 inline bool is_driven(const Body& body) {
   return !body.movable() && !body.conveys && (!body.velocity.isZero(0) || !body.angular_velocity.isZero(0));
 }
-
-using BeginForMotion = std::function<std::unique_ptr<Engine>(const World& world, const Setting& setting)>;
-
-/// Plays every motion by the engine that `begin` makes of its world. `divides`: it is given frames, and divides them by itself.
-Method method_of(const std::string& name, const std::string& title, const BeginForMotion& begin, bool divides = false);
 
 /// A whole step hands the world to the engine. What others have changed since is written into it; where that is more than
 /// positions and velocities, the engine is built again. Our collision detection finds the contacts after the step, so that an overlap

@@ -29,7 +29,6 @@
 #include <optional>
 
 #include "pushback/common/basics/input.h"
-#include "pushback/tools/measure/peers/joint_shape.h"
 #include "pushback/tools/measure/peers/peer.h"
 
 namespace pushback {
@@ -295,12 +294,14 @@ class Jolt : public Engine {
 };
 
 Method method(const std::string& name, const std::string& title, bool tuned) {
-  Method made = method_of(name, title, [tuned](const World& world, const Setting& setting) {
-    start_jolt();
-    return std::make_unique<Jolt>(world, JoltChoice{.tuned = tuned, .sweeps = setting.sweeps});
-  });
-  made.sweeps = tuned;
-  return made;
+  return {.name = name,
+          .title = title,
+          .begin =
+              [tuned](const World& world, const Setting& setting) {
+                start_jolt();
+                return std::make_unique<Jolt>(world, JoltChoice{.tuned = tuned, .sweeps = setting.sweeps});
+              },
+          .sweeps = tuned};
 }
 
 }  // namespace

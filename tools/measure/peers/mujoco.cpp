@@ -10,9 +10,7 @@
 #include <stdexcept>
 
 #include "pushback/common/basics/input.h"
-#include "pushback/tools/measure/peers/joint_shape.h"
 #include "pushback/tools/measure/peers/peer.h"
-#include "pushback/tools/measure/study/every_motion.h"
 
 namespace pushback {
 
@@ -391,25 +389,25 @@ MujocoChoice choice_of(const Choice& choice, const Setting& setting, const World
   return made;
 }
 
-/// Of a thousand bodies at rest the rows have no room: a step has a dense matrix of rows and velocities, and 2 GB at most.
-constexpr int most_bodies = 200;
-
 /// What its contacts must be able to do, and what only some methods are for.
 enum class For { all, pins, friction };
 
 Method method(const std::string& name, const std::string& title, const Choice& choice, For what = For::all) {
-  Method made = method_of(name, title, [choice](const World& world, const Setting& setting) {
-    return std::make_unique<Mujoco>(world, choice_of(choice, setting, world));
-  });
-  made.plays = [what, bounces = choice.bounces](const Motion& motion) {
-    World world;
-    motion.fill(world);  // MuJoCo has no restitution, but springs
-    return (world.bodies.back().restitution > 0) == bounces && !has_conveyor(motion) &&
-           moving_bodies(motion) <= most_bodies && (what != For::pins || !motion.pins.empty()) &&
-           (what != For::friction || has_contacts(motion));
-  };
-  made.sweeps = choice.solver == "PGS";
-  return made;
+  return {.name = name,
+          .title = title,
+          .plays =
+              [what, bounces = choice.bounces](const Motion& motion) {
+                World world;
+                motion.fill(world);  // MuJoCo has no restitution, but springs
+                return (world.bodies.back().restitution > 0) == bounces && !has_conveyor(motion) &&
+                       few_bodies(motion) && (what != For::pins || !motion.pins.empty()) &&
+                       (what != For::friction || has_contacts(motion));
+              },
+          .begin =
+              [choice](const World& world, const Setting& setting) {
+                return std::make_unique<Mujoco>(world, choice_of(choice, setting, world));
+              },
+          .sweeps = choice.solver == "PGS"};
 }
 
 }  // namespace

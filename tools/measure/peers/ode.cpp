@@ -9,9 +9,7 @@
 #include <map>
 
 #include "pushback/common/basics/input.h"
-#include "pushback/tools/measure/peers/joint_shape.h"
 #include "pushback/tools/measure/peers/peer.h"
-#include "pushback/tools/measure/study/every_motion.h"
 
 namespace pushback {
 
@@ -307,15 +305,16 @@ class Ode : public Engine {
 };
 
 Method method(const std::string& name, const std::string& title, const Choice& choice) {
-  Method made = method_of(name, title, [choice](const World& world, const Setting& setting) {
-    Choice with = choice;
-    with.sweeps = setting.sweeps;
-    return std::make_unique<Ode>(world, with);
-  });
-  // Solved directly, all rows make one dense matrix: those of a thousand bodies at rest would take 14 GB.
-  if (choice.most_direct > 0) made.plays = [](const Motion& motion) { return moving_bodies(motion) <= 200; };
-  made.sweeps = choice.most_direct == 0;
-  return made;
+  return {.name = name,
+          .title = title,
+          .plays = choice.most_direct > 0 ? few_bodies : plays_all,
+          .begin =
+              [choice](const World& world, const Setting& setting) {
+                Choice with = choice;
+                with.sweeps = setting.sweeps;
+                return std::make_unique<Ode>(world, with);
+              },
+          .sweeps = choice.most_direct == 0};
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 /// engine plays motions, or a hard case.
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/named.h"
-#include "pushback/tools/measure/hard_cases/apart.h"
 #include "pushback/tools/measure/peers/peer.h"
 
 using namespace pushback;

@@ -10,6 +10,7 @@
 #include "pushback/common/basics/input.h"
 #include "pushback/common/basics/process.h"
 #include "pushback/common/basics/shard.h"
+#include "pushback/tools/measure/results/built_by.h"
 
 namespace pushback {
 
@@ -26,14 +27,6 @@ std::string commit_here() {
   const Ended changed =
       run_program({"git", "-C", folder, "diff", "--quiet", "HEAD", "--", ":/common", ":/chapters", ":/tools"});
   return lines[0] + (changed.status == 0 ? "" : "+");
-}
-
-std::string compiler_here() {
-#ifdef __clang__
-  return fmt::format("{}, {}", __VERSION__, PUSHBACK_FLAGS);
-#else
-  return fmt::format("g++ {}, {}", __VERSION__, PUSHBACK_FLAGS);
-#endif
 }
 
 void require_same(const char* what, const std::string& one, const fs::path& in, const std::string& other,
@@ -63,7 +56,7 @@ std::string load_now() {
 }
 
 Origin origin_here() {
-  return {processor(), compiler_here(), commit_here()};
+  return {processor(), built_by(), commit_here()};
 }
 
 std::string origin_text(const Origin& origin) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <optional>
 
 #include "pushback/chapters/19_accuracy_and_time/truth.h"
 #include "pushback/common/basics/input.h"
@@ -18,19 +17,20 @@ namespace {
 
 const Setting setting{.substeps = 16, .sweeps = 32};
 
-/// Where bodies are at the begin, and after each frame. Nothing where the method does not play it.
-std::optional<std::vector<Places>> places_of(const Method& method, const Motion& motion) {
-  if (!method.plays(motion)) return {};
-  const std::unique_ptr<Player> player = method.begin(motion, setting);
-  World world;
-  motion.fill(world);
-  std::vector<Places> all;
-  for (int frame = 0; frame <= motion.frames(); ++frame) {
-    if (frame > 0) player->frame(setting.substeps);
-    Places& now = all.emplace_back();
-    for (std::size_t body = 0; body < world.bodies.size(); ++body) now.push_back(player->place(body));
+/// Where bodies are at the begin, and after each frame.
+std::vector<Places> places_of(const Method& method, const Motion& motion) {
+  MotionRun run(motion, method, setting);
+  std::vector<Places> all{run.places()};
+  for (int frame = 0; frame < motion.frames(); ++frame) {
+    run.frame();
+    all.push_back(run.places());
   }
   return all;
+}
+
+/// m, of a body from the first frame to the last.
+Eigen::Vector3d way_of(const std::vector<Places>& all, std::size_t body = 0) {
+  return all.back()[body] - all.front()[body];
 }
 
 std::string text(const Eigen::Vector3d& v) {
@@ -48,10 +48,9 @@ struct Said {
 using Question = std::function<Said(const std::vector<Places>&)>;
 
 Finding finding(const Method& method, const std::string& about, const Motion& motion, const Question& question) {
+  if (!method.plays(motion)) return {about, Finding::not_played, "it says that it does not play this"};
   try {
-    const auto places = places_of(method, motion);
-    if (!places) return {about, Finding::not_played, "it says that it does not play this"};
-    const Said said = question(*places);
+    const Said said = question(places_of(method, motion));
     return {about, said.right ? Finding::right : Finding::wrong, said.says};
   } catch (const InvalidInput& problem) {
     return {about, Finding::wrong, problem.what()};
@@ -93,7 +92,7 @@ Finding gravity(const Method& method) {
     world.add(sphere(Real(0.3), 2));
   };
   return finding(method, "gravity", motion(1, fill), [&](const std::vector<Places>& all) -> Said {
-    const Eigen::Vector3d way = all.back()[0] - all.front()[0], right = asked.cast<double>() / 2;
+    const Eigen::Vector3d way = way_of(all), right = asked.cast<double>() / 2;
     const double h = setting.dt(), ratio = way.norm() / right.norm();
     const std::string is = fmt::format("in a second a ball falls {}, where {} is right", text(way), text(right));
     if (way.norm() < 1e-6) return {false, is + ": it does not fall"};
@@ -112,7 +111,7 @@ Finding damping(const Method& method) {
     world.add(sphere(Real(0.3), 2).moving({3, -1, 2}));
   };
   return finding(method, "damping", motion(2, fill), [](const std::vector<Places>& all) -> Said {
-    const Eigen::Vector3d way = all.back()[0] - all.front()[0], right = 2 * Eigen::Vector3d(3, -1, 2);
+    const Eigen::Vector3d way = way_of(all), right = 2 * Eigen::Vector3d(3, -1, 2);
     const double ratio = way.norm() / right.norm();
     const std::string is = fmt::format("in 2 s a ball flies {}, where {} is right", text(way), text(right));
     if ((way - right).norm() < 1e-3) return {true, is};  // in float, 1,920 sums round by as much
@@ -201,7 +200,7 @@ Finding friction(const Method& method) {
                   .rough(Real(mu)));
   };
   return finding(method, "friction", motion(2, fill), [&](const std::vector<Places>& all) -> Said {
-    const Eigen::Vector3d way = all.back()[1] - all.front()[1];
+    const Eigen::Vector3d way = way_of(all, 1);
     const double along = way.dot(ahead), aside = (way - along * ahead - way.y() * Eigen::Vector3d::UnitY()).norm();
     const double late = (all.back()[1] - all[all.size() - 7][1]).norm();
     if (std::abs(way.y()) > 0.05)
@@ -255,7 +254,7 @@ Finding sleep(const Method& method) {
     world.add(sphere(Real(0.3), 2).moving({Real(0.005), 0, 0}));
   };
   return finding(method, "sleep", motion(5, fill), [](const std::vector<Places>& all) -> Said {
-    const double way = (all.back()[0] - all.front()[0]).norm();
+    const double way = way_of(all).norm();
     const std::string is = fmt::format("a ball of 5 mm/s goes {:.3g} mm in 5 s, where 25 mm is right", 1000 * way);
     if (std::abs(way - 0.025) < 1e-4) return {true, is};
     const double last = (all.back()[0] - all[all.size() - 2][0]).norm();
@@ -271,7 +270,7 @@ Finding margins(const Method& method) {
     world.add(box(Vec3::Constant(Real(0.5)), 10).at({3, Real(1.5), 0}));
   };
   return finding(method, "margins", motion(2, fill), [](const std::vector<Places>& all) -> Said {
-    const auto up = [&](std::size_t body) { return 1000 * (all.back()[body] - all.front()[body]).y(); };
+    const auto up = [&](std::size_t body) { return 1000 * way_of(all, body).y(); };
     const std::string is = fmt::format(
         "after 2 s a ball has come up by {:.3g} mm, a box by {:.3g} mm, one upon it by {:.3g} mm", up(1), up(2), up(3));
     const double most = std::max({up(1), up(2), up(3)}), least = std::min({up(1), up(2), up(3)});
@@ -291,8 +290,7 @@ Finding pinned(const Method& method) {
   };
   return finding(method, "pinned pairs", motion(0.5, fill, {{0, 1, {Real(0.4), 0, 0}}}),
                  [](const std::vector<Places>& all) -> Said {
-                   const double moved =
-                       std::max((all.back()[0] - all.front()[0]).norm(), (all.back()[1] - all.front()[1]).norm());
+                   const double moved = std::max(way_of(all).norm(), way_of(all, 1).norm());
                    const std::string is =
                        fmt::format("two boxes that overlap and are pinned have moved by {:.3g} mm", 1000 * moved);
                    return {moved < 1e-3, moved < 1e-3 ? is : is + ": pinned pairs do not collide"};
@@ -303,12 +301,12 @@ Finding repeats(const Method& method) {
   const auto fill = [](World& world) { stack(world, 4); };
   const Motion stacked = motion(1, fill);
   return finding(method, "same bits", stacked, [&](const std::vector<Places>& all) -> Said {
-    const auto again = places_of(method, stacked);
+    const std::vector<Places> again = places_of(method, stacked);
     for (std::size_t frame = 0; frame < all.size(); ++frame)
       for (std::size_t body = 0; body < all[frame].size(); ++body)
-        if (all[frame][body] != (*again)[frame][body])
+        if (all[frame][body] != again[frame][body])
           return {false, fmt::format("played twice, body {} of a stack is at {} and at {} in frame {}", body,
-                                     text(all[frame][body]), text((*again)[frame][body]), frame)};
+                                     text(all[frame][body]), text(again[frame][body]), frame)};
     return {true, "played twice, a stack does the same to the last bit"};
   });
 }
@@ -316,16 +314,16 @@ Finding repeats(const Method& method) {
 Finding clock_of(const Method& method) {
   const Motion stacked = motion(1, [](World& world) { stack(world, 4); });
   if (!method.plays(stacked)) return {"clock", Finding::not_played, "it says that it does not play a stack"};
-  const std::unique_ptr<Player> player = method.begin(stacked, setting);
+  MotionRun run(stacked, method, setting);
   const auto begin = std::chrono::steady_clock::now();
-  for (int i = 0; i < stacked.frames(); ++i) player->frame(setting.substeps);
+  for (int i = 0; i < stacked.frames(); ++i) run.frame();
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  if (!player->seconds()) return {"clock", Finding::right, "it is timed from here"};
-  const double own = *player->seconds();
+  if (!run.player().seconds()) return {"clock", Finding::right, "it is timed from here"};
+  const double own = *run.player().seconds();
   const std::string is =
       fmt::format("a second of a stack took {:.4g} ms by its clock, and {:.4g} ms with all that is asked and answered",
                   1000 * own, 1000 * wall);
-  // Nobody takes 960 steps of a stack of four in less than 10 ns each.
+  // No engine takes 960 steps of a stack of four in less than 10 ns each.
   return {"clock", own > 1e-5 && own <= wall ? Finding::right : Finding::wrong, is};
 }
 

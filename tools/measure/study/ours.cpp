@@ -7,6 +7,7 @@
 #include "pushback/chapters/19_accuracy_and_time/rest_depth.h"
 #include "pushback/engine/direct/direct_joints.h"
 #include "pushback/engine/direct/warm_direct_contacts.h"
+#include "pushback/tools/measure/results/built_by.h"
 #include "pushback/tools/measure/study/every_motion.h"
 
 using namespace pushback;
@@ -40,7 +41,7 @@ Method method(const std::string& name, const std::string& title) {
                 return motion.pins.empty() == !std::derived_from<ContactSolver, SupportsJoints> &&
                        has_contacts(motion) == std::derived_from<ContactSolver, Clamping>;
               },
-          .begin = by_ours(solver, {.counts_rows = !solves_systems})};
+          .begin = by_ours(solver, !solves_systems)};
 }
 
 }  // namespace

@@ -7,28 +7,17 @@
 
 namespace pushback {
 
-/// How a solver takes its steps.
-struct Stepping {
-  bool divides = false;     ///< a frame of 1/60 s is one step, which it divides itself; else a substep is one
-  bool counts_rows = true;  ///< whether rows are all of its work
-};
-
 class Ours : public Player {
  public:
-  Ours(const Motion& motion, const Setting& setting, AnySolver solver, const Stepping& stepping = {})
-      : solver_(std::move(solver)),
-        steps_(stepping.divides ? 1 : setting.substeps),
-        dt_(static_cast<Real>(Setting{.substeps = steps_}.dt())),
-        sweeps_(setting.sweeps),
-        counts_rows_(stepping.counts_rows) {
-    motion.begin(world_);
-  }
-  void frame(int) override {
+  /// `counts_rows`: whether rows are all of its work.
+  Ours(const World& world, AnySolver solver, int sweeps, bool counts_rows = true)
+      : world_(world), solver_(std::move(solver)), sweeps_(sweeps), counts_rows_(counts_rows) {}
+  void steps(int count, double h) override {
     const std::size_t before = rows_solved;
-    for (int i = 0; i < steps_; ++i) world_.step(solver_, dt_, sweeps_);
+    for (int i = 0; i < count; ++i) world_.step(solver_, static_cast<Real>(h), sweeps_);
     rows_solved_ += rows_solved - before;
   }
-  Eigen::Vector3d place(std::size_t body) const override { return world_.bodies[body].position.cast<double>(); }
+  void get(Body& body) const override { body = world_.bodies[static_cast<std::size_t>(body.index)]; }
   std::optional<double> row_solves() const override {
     if (!counts_rows_) return {};
     return static_cast<double>(rows_solved_);
@@ -37,17 +26,15 @@ class Ours : public Player {
  private:
   World world_;
   AnySolver solver_;
-  int steps_;  // in a frame
-  Real dt_;
   int sweeps_;
   bool counts_rows_;
   std::size_t rows_solved_ = 0;  // by this player's steps
 };
 
 /// Method::begin, by a copy of this solver.
-inline auto by_ours(const AnySolver& solver, const Stepping& stepping = {}) {
-  return [kept = std::make_shared<const AnySolver>(solver), stepping](const Motion& motion, const Setting& setting) {
-    return std::unique_ptr<Player>(std::make_unique<Ours>(motion, setting, *kept, stepping));
+inline auto by_ours(const AnySolver& solver, bool counts_rows = true) {
+  return [kept = std::make_shared<const AnySolver>(solver), counts_rows](const World& world, const Setting& setting) {
+    return std::unique_ptr<Player>(std::make_unique<Ours>(world, *kept, setting.sweeps, counts_rows));
   };
 }
 

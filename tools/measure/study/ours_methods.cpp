@@ -1,4 +1,5 @@
 /// The program `motion_methods`: methods of the literature that are no chapter play the motions. docs/methods.md says what came of it.
+#include "pushback/tools/measure/results/built_by.h"
 #include "pushback/tools/measure/study/every_motion.h"
 #include "pushback/tools/measure/study/ours.h"
 #include "pushback/tools/methods/methods.h"
@@ -19,8 +20,7 @@ Method method(const std::string& name, const std::string& title) {
               [holds = solver.supports_joints()](const Motion& motion) {
                 return (motion.pins.empty() || holds) && (bounces || !has_bounces(motion));
               },
-          .begin =
-              by_ours(solver, {.counts_rows = !std::same_as<ContactSolver, Avbd> && !std::same_as<ContactSolver, Sap>}),
+          .begin = by_ours(solver, !std::same_as<ContactSolver, Avbd> && !std::same_as<ContactSolver, Sap>),
           .sweeps = !std::same_as<ContactSolver, Sap>};
 }
 

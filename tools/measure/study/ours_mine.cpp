@@ -8,6 +8,7 @@
 
 #include "pushback/common/basics/input.h"
 #include "pushback/common/experiment/loaded_solver.h"
+#include "pushback/tools/measure/results/built_by.h"
 #include "pushback/tools/measure/study/ours.h"
 
 using namespace pushback;
@@ -25,9 +26,9 @@ void give_up(int) {
 class Mine : public Ours {
  public:
   using Ours::Ours;
-  void frame(int substeps) override {
+  void steps(int count, double h) override {
     alarm(patience);
-    Ours::frame(substeps);
+    Ours::steps(count, h);
   }
 };
 
@@ -44,8 +45,8 @@ int main(int argc, char** argv) {
         {.name = "mine",
          .title = "your own",
          .plays = [solver](const Motion& motion) { return motion.pins.empty() || solver.supports_joints(); },
-         .begin = [solver](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
-           return std::make_unique<Mine>(motion, setting, solver, Stepping{.counts_rows = false});
+         .begin = [solver](const World& world, const Setting& setting) -> std::unique_ptr<Player> {
+           return std::make_unique<Mine>(world, solver, setting.sweeps, false);
          }});
   } catch (const InvalidInput& problem) {
     fmt::print(stderr, "{}\n", problem.what());

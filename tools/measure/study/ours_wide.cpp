@@ -3,6 +3,7 @@
 #include "pushback/engine/half_step/half_step.h"
 #include "pushback/engine/presets.h"
 #include "pushback/engine/substeps/wide_solver.h"
+#include "pushback/tools/measure/results/built_by.h"
 #include "pushback/tools/measure/study/every_motion.h"
 #include "pushback/tools/measure/study/ours.h"
 
@@ -44,9 +45,6 @@ WideSolver<double> stiff() {
   return solver;
 }
 
-bool any(const Motion&) {
-  return true;
-}
 bool without_pins(const Motion& motion) {
   return motion.pins.empty();
 }
@@ -56,19 +54,19 @@ bool without_contacts(const Motion& motion) {
 
 /// `joints`: whether it sweeps over them. `half_steps`: it has no sweeps at all.
 Method method(const std::string& name, const std::string& title, const Divided& solver, bool joints = false,
-              bool (*plays)(const Motion&) = any, bool half_steps = false) {
+              bool (*plays)(const Motion&) = plays_all, bool half_steps = false) {
   return {.name = name,
           .title = title,
           .plays = plays,
-          .begin = [=](const Motion& motion, const Setting& setting) -> std::unique_ptr<Player> {
-            return std::make_unique<Ours>(
-                motion, setting, solver(setting.substeps),
-                Stepping{.divides = true, .counts_rows = !half_steps && (motion.pins.empty() || joints)});
+          .begin = [=](const World& world, const Setting& setting) -> std::unique_ptr<Player> {
+            return std::make_unique<Ours>(world, solver(setting.substeps), setting.sweeps,
+                                          !half_steps && (world.joints.empty() || joints));
           },
-          .sweeps = !half_steps};
+          .sweeps = !half_steps,
+          .divides = true};
 }
 Method half_steps(const std::string& name, const std::string& title, const HalfStep& solver,
-                  bool (*plays)(const Motion&) = any) {
+                  bool (*plays)(const Motion&) = plays_all) {
   return method(name, title, divided(solver), false, plays, true);
 }
 

@@ -23,10 +23,6 @@ namespace {
 
 constexpr double lost_beyond = 1e4;  // m
 
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
-
 /// Plays once, and keeps the places of every frame: with the stopwatch at rest.
 struct Playing {
   std::vector<Places> places;
@@ -34,44 +30,41 @@ struct Playing {
   std::optional<double> row_solves;
   bool lost = false, late = false;
 
-  Playing(const Motion& motion, const Method& method, const Setting& setting, double at_most, std::size_t bodies)
-      : places(static_cast<std::size_t>(motion.frames()), Places(bodies)) {
-    const std::unique_ptr<Player> player = method.begin(motion, setting);
+  Playing(const Motion& motion, const Method& method, const Setting& setting, double at_most)
+      : places(static_cast<std::size_t>(motion.frames())) {
+    MotionRun run(motion, method, setting);
     const auto begin = std::chrono::steady_clock::now();
     Stopwatch own;
     try {
       for (Places& frame : places) {
         own.go();
-        player->frame(setting.substeps);
+        run.frame();
         own.stop();
-        for (std::size_t body = 0; body < bodies; ++body) frame[body] = player->place(body);
-        if (seconds_since(begin) > at_most) {
-          late = &frame != &places.back();
-          break;
-        }
+        frame = run.places();
+        if (std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() <= at_most) continue;
+        late = &frame != &places.back();
+        break;
       }
     } catch (const InvalidInput&) {  // a state that is no number any more
       lost = true;
     }
-    seconds = player->seconds().value_or(own.seconds());
-    row_solves = player->row_solves();
+    seconds = run.player().seconds().value_or(own.seconds());
+    row_solves = run.player().row_solves();
   }
 };
 
 /// Plays once more, and does nothing else: where a frame takes a microsecond, a stopwatch that stops at each is felt.
 double seconds_of(const Motion& motion, const Method& method, const Setting& setting) {
-  const std::unique_ptr<Player> player = method.begin(motion, setting);
+  MotionRun run(motion, method, setting);
   const int frames = motion.frames();
   Stopwatch own;
   own.go();
   try {
-    for (int i = 0; i < frames; ++i) player->frame(setting.substeps);
-  } catch (const InvalidInput&) {
-    own.stop();  // it was lost at this frame before
-    return player->seconds().value_or(own.seconds());
+    for (int i = 0; i < frames; ++i) run.frame();
+  } catch (const InvalidInput&) {  // it was lost at this frame before
   }
   own.stop();
-  return player->seconds().value_or(own.seconds());
+  return run.player().seconds().value_or(own.seconds());
 }
 
 double largest_error(const std::vector<Places>& places, const std::vector<Places>& truth) {
@@ -99,11 +92,24 @@ Measured not_played(const Method& method, const Setting& setting) {
 
 }  // namespace
 
+MotionRun::MotionRun(const Motion& motion, const Method& method, const Setting& setting)
+    : count_(method.divides ? 1 : setting.substeps), h_(method.divides ? Setting{}.dt() : setting.dt()) {
+  motion.begin(begin_);
+  player_ = method.begin(begin_, setting);
+}
+
+Places MotionRun::places() const {
+  Places places;
+  for (Body body : begin_.bodies) {
+    if (body.movable()) player_->get(body);
+    places.emplace_back(body.position.cast<double>());
+  }
+  return places;
+}
+
 Measured play(const Motion& motion, const std::vector<Places>& truth, const Method& method, const Setting& setting,
               const Patience& patience) {
-  World world;
-  motion.fill(world);
-  const Playing once(motion, method, setting, patience.at_most, world.bodies.size());
+  const Playing once(motion, method, setting, patience.at_most);
   Measured played = not_played(method, setting);
   if (!once.lost && !once.late) played.error = largest_error(once.places, truth);
   played.late = once.late;
@@ -169,14 +175,6 @@ bool check(const std::vector<Method>& methods) {
 }
 
 }  // namespace
-
-std::string built_by() {
-#ifdef __clang__
-  return fmt::format("{}, {}", __VERSION__, PUSHBACK_FLAGS);
-#else
-  return fmt::format("g++ {}, {}", __VERSION__, PUSHBACK_FLAGS);
-#endif
-}
 
 int play_program(int argc, const char* const* argv, const std::string& about, const std::string& version,
                  const std::vector<Method>& methods) {

@@ -1,4 +1,4 @@
-/// An engine plays a motion: how far from the truth it comes, and how long it takes.
+/// A solver of ours or another engine plays a motion: how far from the truth it comes, and how long it takes.
 #pragma once
 
 #include <memory>
@@ -17,27 +17,47 @@ struct Setting {
   double dt() const { return 1.0 / (frames_per_second * substeps); }
 };
 
-/// An engine with a motion in it, about to begin.
+/// A solver of ours or another engine, with a world in it.
 class Player {
  public:
   virtual ~Player() = default;
-  /// 1/60 s, in so many substeps.
-  virtual void frame(int substeps) = 0;
-  /// Of the centre of mass of the body with this index in the motion's world, m.
-  virtual Eigen::Vector3d place(std::size_t body) const = 0;
-  /// In all substeps so far; nothing where an engine does not say, or solves linear systems, and rows are no measure.
+  /// So many steps of h, s. Throws InvalidInput if it gives up.
+  virtual void steps(int count, double h) = 0;
+  /// The position, orientation and velocities of a movable body.
+  virtual void get(Body& body) const = 0;
+  /// In all steps so far; nothing where an engine does not say, or solves linear systems, and rows are no measure.
   virtual std::optional<double> row_solves() const { return {}; }
-  /// Of its own clock, in all frames so far; nothing where ours is right. One that is asked through a pipe has its own.
+  /// Of its own clock, in all steps so far; nothing where ours is right. One that is asked through a pipe has its own.
   virtual std::optional<double> seconds() const { return {}; }
 };
 
-/// One way to play motions: a solver of ours, or of others.
+inline bool plays_all(const Motion&) {
+  return true;
+}
+
+/// One way to play motions.
 struct Method {
-  std::string name;                          ///< a word for the command line
-  std::string title;                         ///< a few words for a diagram
-  std::function<bool(const Motion&)> plays;  ///< whether the motion is something for it
-  std::function<std::unique_ptr<Player>(const Motion&, const Setting&)> begin;
-  bool sweeps = true;  ///< whether the number of sweeps is a knob of it
+  std::string name;                                      ///< a word for the command line
+  std::string title;                                     ///< a few words for a diagram
+  std::function<bool(const Motion&)> plays = plays_all;  ///< whether the motion is something for it
+  std::function<std::unique_ptr<Player>(const World&, const Setting&)> begin;
+  bool sweeps = true;    ///< whether the number of sweeps is a knob of it
+  bool divides = false;  ///< a frame of 1/60 s is one step, which it divides itself; else a substep is one
+};
+
+/// A motion under a method, frame by frame.
+class MotionRun {
+ public:
+  MotionRun(const Motion& motion, const Method& method, const Setting& setting);
+  void frame() { player_->steps(count_, h_); }  ///< 1/60 s
+  Places places() const;                        ///< m, of all bodies, now
+  const Player& player() const { return *player_; }
+
+ private:
+  World begin_;
+  std::unique_ptr<Player> player_;
+  int count_;  // of steps in a frame
+  double h_;   // s
 };
 
 struct Patience {
@@ -50,9 +70,6 @@ struct Patience {
 /// in any frame; the time is the median of some times that it was played. `truth`: motion.truth(motion.frames()).
 study::Measured play(const Motion& motion, const std::vector<Places>& truth, const Method& method,
                      const Setting& setting, const Patience& patience = {});
-
-/// The compiler of this program, its version, and how it was called.
-std::string built_by();
 
 /// The program  NAME MOTION METHOD/SMALL-STEPS/SWEEPS ...  plays the motion in each of these settings and prints a line for each, as
 /// record.h has it. It is "lost" where a body was more than 10 km off, and "late" where it was given up, or not begun, as it asks for no

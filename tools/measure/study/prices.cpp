@@ -29,7 +29,7 @@ struct Contender {
 template <class Preset>
 Contender of_preset(const std::string& title) {
   const Preset preset;
-  const Method method{.name = title, .title = title, .plays = {}, .begin = by_ours(preset, {.divides = true})};
+  const Method method{.name = title, .title = title, .begin = by_ours(preset), .divides = true};
   const Setting setting{.sweeps = preset.plan(Real(1) / frames_per_second).sweeps};
   return {title, [method, setting](const Motion& motion, const std::vector<Places>& truth) {
             return std::optional(play(motion, truth, method, setting, {.at_least = 0, .at_most = 3600}));

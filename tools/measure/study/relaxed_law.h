@@ -29,12 +29,6 @@ struct Hop {
   double error = 0;   ///< m, at its top
 };
 
-/// `slip`: m/s before. `k`: see above.
-inline Hop hop_of(double slip, double mu, double k) {
-  const double speed = mu * slip / (1 + k * mu * mu), height = speed * speed / (2 * truth::g);
-  return {speed, height, std::sqrt(1 + mu * mu) * height};
-}
-
 /// Of the last body of a motion, a box or a ball that is sent along the level ground, which stands; nothing where the motion is another.
 inline std::optional<Hop> hop_of(const Motion& motion) {
   World world;
@@ -47,7 +41,8 @@ inline std::optional<Hop> hop_of(const Motion& motion) {
   double k = 1;
   if (const auto* ball = std::get_if<Sphere>(&body.shape))
     k += static_cast<double>(ball->radius * ball->radius * body.principal_inverse_inertia.x() / body.inverse_mass);
-  return hop_of(slip, mu, k);
+  const double speed = mu * slip / (1 + k * mu * mu), height = speed * speed / (2 * truth::g);
+  return Hop{speed, height, std::sqrt(1 + mu * mu) * height};
 }
 
 }  // namespace pushback

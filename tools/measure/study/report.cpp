@@ -35,7 +35,7 @@ Measurements of_method(const Measurements& all, const std::string& method) {
 Measurements of_maker(const Measurements& all, const std::string& maker) {
   return robust(those(all, [&](const Measured& one) {
     return std::any_of(known_engines().begin(), known_engines().end(),
-                       [&](const Engine& engine) { return engine.program == one.engine && engine.maker == maker; });
+                       [&](const Engine& engine) { return engine.name == one.engine && engine.maker == maker; });
   }));
 }
 
@@ -93,7 +93,7 @@ Panel work_precision(const MotionMeasured& measured, const std::vector<Engine>& 
   add_tolerances(panel);
   add_curve(panel, of_engine(measured.all, "motion"), motion, {"", {}, {}, "#c4d8e8", Curve::Style::points});
   for (std::size_t i = engines.size(); i-- > 0;) {  // ours last, on top
-    const Measurements settings = of_engine(measured.all, engines[i].program);
+    const Measurements settings = of_engine(measured.all, engines[i].name);
     Curve curve{fmt::format("{}, of {}", engines[i].title, settings.size()),
                 {},
                 {},
@@ -188,7 +188,7 @@ std::string table_of_others(const std::vector<MotionMeasured>& all, const std::v
     const Measurements our = of_maker(measured.all, ours);
     for (const Engine& engine : engines) {
       if (engine.maker == ours) continue;
-      const Measurements theirs = robust(of_engine(measured.all, engine.program));
+      const Measurements theirs = robust(of_engine(measured.all, engine.name));
       std::vector<std::string> row{measured.motion->title, engine.title, std::to_string(theirs.size())};
       for (const Tolerance& tolerance : tolerances) {
         const auto found = cheapest(theirs, tolerance.error), best = cheapest(our, tolerance.error);
@@ -202,9 +202,9 @@ std::string table_of_others(const std::vector<MotionMeasured>& all, const std::v
                     : std::isinf(slower) ? "we do not reach all of it"
                                          : fmt::format("{} times its time", plain(slower, 2)));
       const int own = std::max(finest_of(our, "motion"), finest_of(our, "motion_wide"));
-      const int finest = theirs.empty() ? own : std::min(own, finest_of(theirs, engine.program));
+      const int finest = theirs.empty() ? own : std::min(own, finest_of(theirs, engine.name));
       row.push_back(finest > 0 ? std::to_string(finest) : "–");
-      row.push_back(least_remaining(measured.all, {engine.program}, finest));
+      row.push_back(least_remaining(measured.all, {engine.name}, finest));
       row.push_back(least_remaining(measured.all, {"motion", "motion_wide"}, finest));
       text += markdown_row(row);
     }
@@ -291,7 +291,7 @@ std::string table_of_machine(const MachineReport& run, const std::vector<Engine>
   for (std::size_t i = 0; i < engines.size(); ++i) {
     int tried = 0, again = 0, lost = 0, late = 0;
     for (const auto& [motion, measured] : all) {
-      for (const Measured& one : of_engine(measured, engines[i].program)) {
+      for (const Measured& one : of_engine(measured, engines[i].name)) {
         ++tried;
         again += one.seconds.size() > 1 ? 1 : 0;
         late += one.late ? 1 : 0;

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "pushback/common/basics/input.h"
+#include "pushback/common/basics/named.h"
 #include "pushback/common/basics/process.h"
 #include "pushback/tools/measure/results/csv.h"
 #include "pushback/tools/measure/study/record.h"
@@ -130,12 +132,7 @@ const std::vector<Engine>& known_engines() {
 
 std::vector<Engine> engines_named(const std::vector<std::string>& programs) {
   std::vector<Engine> found;
-  for (const std::string& program : programs) {
-    const auto is_it = [&](const Engine& engine) { return engine.program == program; };
-    const auto engine = std::find_if(known_engines().begin(), known_engines().end(), is_it);
-    if (engine == known_engines().end()) throw InvalidInput(fmt::format("no engine is played by '{}'", program));
-    found.push_back(*engine);
-  }
+  for (const std::string& program : programs) found.push_back(named("engine", known_engines(), program));
   return found;
 }
 
@@ -145,26 +142,24 @@ std::vector<Engine> engines_in(const std::filesystem::path& programs, bool other
   const std::size_t own = found.size();
   for (const Engine& engine : engines_named(
            {"motion_bullet", "motion_bullet_double", "motion_ode", "motion_mujoco", "motion_box3d", "motion_jolt"}))
-    if (std::filesystem::exists(programs / engine.program)) found.push_back(engine);
+    if (std::filesystem::exists(programs / engine.name)) found.push_back(engine);
   if (found.size() == own)
     throw std::runtime_error("no other engine's program is there: configure with -DPUSHBACK_PEERS=ON");
   return found;
 }
 
 std::vector<Engine> engines_of(const AllMeasured& all) {
-  std::vector<Engine> found;
-  for (const Engine& engine : known_engines()) {
-    const auto is_its = [&](const Measured& one) { return one.engine == engine.program; };
-    if (std::any_of(all.begin(), all.end(),
-                    [&](const auto& of) { return std::any_of(of.second.begin(), of.second.end(), is_its); }))
-      found.push_back(engine);
-  }
+  std::set<std::string> measured;
+  for (const auto& [motion, of_motion] : all)
+    for (const Measured& one : of_motion) measured.insert(one.engine);
+  std::vector<Engine> found = known_engines();
+  std::erase_if(found, [&](const Engine& engine) { return !measured.contains(engine.name); });
   return found;
 }
 
 std::string version_of(const Engine& engine, const std::filesystem::path& programs) {
-  const auto lines = said_by({(programs / engine.program).string(), "--version"});
-  if (lines.size() != 1) throw std::runtime_error(fmt::format("{} does not say its version", engine.program));
+  const auto lines = said_by({(programs / engine.name).string(), "--version"});
+  if (lines.size() != 1) throw std::runtime_error(fmt::format("{} does not say its version", engine.name));
   return lines[0];
 }
 
@@ -175,15 +170,15 @@ Measurements measure(const Motion& motion, const RoundOptions& options) {
   for (const Engine& engine : options.engines) {
     options.say(fmt::format("{}: {}", motion.name, engine.title));
     const std::size_t first = all.size();
-    if (engine.program == "motion_float") {
+    if (engine.name == "motion_float") {
       for (const std::size_t i : near) {
         Measured one = all[i];
-        one.engine = engine.program;
+        one.engine = engine.name;
         one.seconds.clear();
         all.push_back(one);
       }
     } else {
-      const Measurements grid = asking.grid(engine.program);
+      const Measurements grid = asking.grid(engine.name);
       all.insert(all.end(), grid.begin(), grid.end());
     }
     Indices latest;

@@ -12,9 +12,9 @@ namespace pushback::study {
 
 /// A program that plays motions, and how it is called in diagrams and tables.
 struct Engine {
-  std::string program, title, maker;
-  std::size_t colour = 0;  ///< line_colour's
-  bool dashed = false;     ///< and with another shape than its sister of the same colour
+  std::string name, title, maker;  ///< name: of the program
+  std::size_t colour = 0;          ///< line_colour's
+  bool dashed = false;             ///< and with another shape than its sister of the same colour
 };
 inline const std::string ours = "Pushback";  ///< the maker of our engines
 

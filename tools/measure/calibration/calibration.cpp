@@ -1,11 +1,12 @@
-#include "pushback/tools/measure/calibration/truth.h"
+#include "pushback/tools/measure/calibration/calibration.h"
 
 #include <cmath>
 #include <limits>
 #include <sstream>
 
-#include "pushback/engine/half_step/half_step.h"
+#include "pushback/engine/presets.h"
 #include "pushback/tools/measure/results/csv.h"
+#include "pushback/tools/measure/study/stopwatch.h"
 
 namespace pushback::calibration {
 
@@ -78,6 +79,47 @@ std::vector<Truth> truths_in(const std::string& text) {
     truths.push_back(truth);
   });
   return truths;
+}
+
+Played play(const Scene& scene, const Truth& truth) {
+  Played played{.number = truth.number,
+                .kind = scene.kind,
+                .asked = scene.asked,
+                .error = 0,
+                .said = 0,
+                .flagged = false,
+                .steps = 0,
+                .estimate = 0};
+  World world = scene.world;
+  Recommended solver;
+  solver.error = scene.asked;
+  std::vector<GivenSteps> given;
+  Stopwatch both, steps;
+  for (int i = 0; i < frames; ++i) {
+    both.go();
+    world.step(solver, dt);
+    both.stop();
+    given.push_back(solver.given);
+    played.said = 0;
+    for (const Body& body : world.bodies) {
+      const BodyError known = solver.error_of(body.index);
+      played.said = std::max(played.said, known.place);
+      played.flagged |= !known.kept;
+    }
+  }
+  played.error = truth.error(world);
+
+  World again = scene.world;
+  IslandSolver alone;
+  for (const GivenSteps& one : given) {
+    alone.given = one;
+    steps.go();
+    again.step(alone, dt);
+    steps.stop();
+  }
+  played.steps = steps.seconds();
+  played.estimate = both.seconds() - played.steps;
+  return played;
 }
 
 }  // namespace pushback::calibration
