@@ -1,6 +1,7 @@
 /// Chapter 19: frozen problems, what is traced on them, and performance profiles. Nothing here depends on a clock.
 #include <filesystem>
 
+#include "pushback/chapters/17_direct_contacts/methods.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/shard.h"
 #include "pushback/common/world/situations.h"
