@@ -1,6 +1,6 @@
 /// The first of the scenes of ./course run calibration: whether what Recommended says of its error is true.
-#include "pushback/common/basics/files.h"
 #include "pushback/tools/measure/calibration/calibration.h"
+#include "pushback/common/basics/files.h"
 #include "tests/support/catch.h"
 
 using namespace pushback;

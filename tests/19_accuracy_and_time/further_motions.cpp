@@ -8,6 +8,7 @@
 #include "pushback/engine/half_step/half_step.h"
 #include "pushback/tools/measure/study/every_motion.h"
 #include "pushback/tools/measure/study/further_motions.h"
+#include "pushback/tools/measure/study/ours.h"
 #include "tests/support/catch.h"
 
 using namespace pushback;
@@ -23,15 +24,9 @@ template <class ContactSolver>
 double error_of(const std::string& name, ContactSolver solver, int substeps, int sweeps = 4) {
   if constexpr (requires { solver.threshold; }) solver.threshold = 0;  // bounces are compared at every speed
   const Motion& motion = any_motion_named(name);
-  World world;
-  motion.begin(world);
-  double farthest = 0;
-  for (const Places& places : motion.truth(motion.frames())) {
-    for (int i = 0; i < substeps; ++i) world.step(solver, frame / substeps, sweeps);
-    for (std::size_t body = 0; body < places.size(); ++body)
-      farthest = std::max(farthest, (world.bodies[body].position - places[body]).norm());
-  }
-  return farthest;
+  return play(motion, motion.truth(motion.frames()), {.name = "", .title = "", .begin = by_ours(solver)},
+              {.substeps = substeps, .sweeps = sweeps}, {.at_least = 0, .at_most = 600})
+      .error;
 }
 
 /// One step a substep, its impact at the end of it: the error is of first order, between `least` and `most` a substep.

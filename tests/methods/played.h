@@ -2,6 +2,7 @@
 #pragma once
 
 #include "pushback/tools/measure/study/every_motion.h"
+#include "pushback/tools/measure/study/ours.h"
 #include "pushback/tools/methods/methods.h"
 
 namespace pushback {
@@ -19,17 +20,9 @@ ContactSolver made() {
 template <class ContactSolver>
 double error_of(const std::string& name, int substeps, int sweeps) {
   const Motion& motion = any_motion_named(name);
-  const std::vector<Places> truth = motion.truth(motion.frames());
-  World world;
-  motion.begin(world);
-  auto solver = made<ContactSolver>();
-  double farthest = 0;
-  for (const Places& places : truth) {
-    for (int i = 0; i < substeps; ++i) world.step(solver, Real(1) / static_cast<Real>(60 * substeps), sweeps);
-    for (std::size_t body = 0; body < places.size(); ++body)
-      farthest = std::max(farthest, (world.bodies[body].position.template cast<double>() - places[body]).norm());
-  }
-  return farthest;
+  return play(motion, motion.truth(motion.frames()), {.name = "", .title = "", .begin = by_ours(made<ContactSolver>())},
+              {.substeps = substeps, .sweeps = sweeps}, {.at_least = 0, .at_most = 600})
+      .error;
 }
 
 }  // namespace pushback

@@ -123,8 +123,6 @@ struct RollingBall {
   Eigen::Vector3d velocity() const { return radius * spin.cross(Eigen::Vector3d::UnitY()); }
   /// kg m^2/s, K, in world axes.
   Eigen::Vector3d momentum() const;
-  /// J, K . w / 2: also m v^2 / 2 + w . J w / 2.
-  double energy() const { return momentum().dot(spin) / 2; }
 
   /// The ball after `seconds`, by Runge and Kutta's rule of fourth order in so many equal steps.
   RollingBall after(double seconds, int steps) const;
