@@ -15,11 +15,11 @@ namespace pushback {
 
 namespace {
 
-const Setting setting{.substeps = 16, .sweeps = 32};
+const Setting kit{.substeps = 16, .sweeps = 32};
 
 /// Where bodies are at the begin, and after each frame.
 std::vector<Places> places_of(const Method& method, const Motion& motion) {
-  MotionRun run(motion, method, setting);
+  MotionRun run(motion, method, kit);
   std::vector<Places> all{run.places()};
   for (int frame = 0; frame < motion.frames(); ++frame) {
     run.frame();
@@ -93,7 +93,7 @@ Finding gravity(const Method& method) {
   };
   return finding(method, "gravity", motion(1, fill), [&](const std::vector<Places>& all) -> Said {
     const Eigen::Vector3d way = way_of(all), right = asked.cast<double>() / 2;
-    const double h = setting.dt(), ratio = way.norm() / right.norm();
+    const double h = kit.dt(), ratio = way.norm() / right.norm();
     const std::string is = fmt::format("in a second a ball falls {}, where {} is right", text(way), text(right));
     if (way.norm() < 1e-6) return {false, is + ": it does not fall"};
     if ((way / way.norm() - right / right.norm()).norm() > 1e-3)
@@ -314,7 +314,7 @@ Finding repeats(const Method& method) {
 Finding clock_of(const Method& method) {
   const Motion stacked = motion(1, [](World& world) { stack(world, 4); });
   if (!method.plays(stacked)) return {"clock", Finding::not_played, "it says that it does not play a stack"};
-  MotionRun run(stacked, method, setting);
+  MotionRun run(stacked, method, kit);
   const auto begin = std::chrono::steady_clock::now();
   for (int i = 0; i < stacked.frames(); ++i) run.frame();
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -338,8 +338,8 @@ std::vector<Finding> findings_of(const Method& method) {
 }
 
 std::string kit_setting(const Method& method) {
-  return fmt::format("{} substeps of 1/60 s{}", setting.substeps,
-                     method.sweeps ? fmt::format(", of {} sweeps each", setting.sweeps) : "");
+  return fmt::format("{} substeps of 1/60 s{}", kit.substeps,
+                     method.sweeps ? fmt::format(", of {} sweeps each", kit.sweeps) : "");
 }
 
 }  // namespace pushback

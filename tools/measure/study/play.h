@@ -72,7 +72,7 @@ study::Measured play(const Motion& motion, const std::vector<Places>& truth, con
                      const Setting& setting, const Patience& patience = {});
 
 /// The program  NAME MOTION METHOD/SMALL-STEPS/SWEEPS ...  plays the motion in each of these settings and prints a line for each, as
-/// record.h has it. It is "lost" where a body was more than 10 km off, and "late" where it was given up, or not begun, as it asks for no
+/// line_of has it. It is "lost" where a body was more than 10 km off, and "late" where it was given up, or not begun, as it asks for no
 /// less of either knob than one before it that was given up. Without a motion it lists the motions that there are, with one its
 /// methods; with --version it says which engine plays: `version`; with --check it answers kit.h's questions. Returns the exit status: 0; 2
 /// where a value cannot be used, and then nothing was played; 1 where an answer is wrong.
@@ -80,3 +80,22 @@ int play_program(int argc, const char* const* argv, const std::string& about, co
                  const std::vector<Method>& methods);
 
 }  // namespace pushback
+
+// ---- a Measured as text: the line that a program prints, and the words that stand for missing numbers ----
+
+namespace pushback::study {
+
+/// m, or "late" or "lost".
+std::string error_text(const Measured& one);
+/// "–" where rows are no measure.
+std::string row_solves_text(const Measured& one);
+/// Both back again. Throws InvalidInput where a word is none of these.
+void read_error(const std::string& word, Measured& into);
+void read_row_solves(const std::string& word, Measured& into);
+
+/// "full/4/16 error 1.2345e-03 seconds 4.5678e-02 row-solves 6.7890e+06", of what was played once.
+std::string line_of(const Measured& once);
+/// Adds to a setting what such a line says of it. Throws std::runtime_error, with the engine and the line, where it is none.
+void add_line(const std::string& line, Measured& into);
+
+}  // namespace pushback::study

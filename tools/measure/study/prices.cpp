@@ -12,7 +12,6 @@
 #include "pushback/tools/measure/results/origin.h"
 #include "pushback/tools/measure/study/every_motion.h"
 #include "pushback/tools/measure/study/ours.h"
-#include "pushback/tools/measure/study/record.h"
 
 using namespace pushback;
 using study::Measured;

@@ -14,7 +14,7 @@
 #include "pushback/common/basics/named.h"
 #include "pushback/common/basics/process.h"
 #include "pushback/tools/measure/results/csv.h"
-#include "pushback/tools/measure/study/record.h"
+#include "pushback/tools/measure/study/play.h"
 
 namespace pushback::study {
 
