@@ -63,7 +63,8 @@ TEST_CASE("moved by hand: one step takes the body to the place and into the turn
     for (int i = 0; i < 100; ++i) {
       Body& body = world.bodies[0];
       const Vec3 where = body.position + random.vector(1);
-      const Quat by_turn(Eigen::AngleAxis<Real>(random.between(0, Real(3)), random.direction()));
+      const Vec3 axis = random.direction();
+      const Quat by_turn(Eigen::AngleAxis<Real>(random.between(0, Real(3)), axis));
       const Quat to = by_turn * body.orientation;
       body.moved_to(where, Quat(i % 2 == 0 ? to.coeffs() : -to.coeffs()), h);  // the same orientation
       const Vec3 velocity = body.velocity;

@@ -22,7 +22,10 @@ std::vector<Vector3d> points(double mu, int anywhere) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> number(-2, 2);
   std::vector<Vector3d> all{{1, 0, 0}, {-1, 0, 0}, {0, 0, 0}, {-0.0, -0.0, 0}, {0, 1, 0}, {-0.0, 0, -1}};
-  for (int i = 0; i < anywhere; ++i) all.emplace_back(number(random), number(random), number(random));
+  for (int i = 0; i < anywhere; ++i) {
+    const double z = number(random), y = number(random), x = number(random);
+    all.emplace_back(x, y, z);
+  }
   for (const double angle : {0.0, 0.7, 2.0, 3.5, 5.9}) {
     const Vector3d at_edge = Vector3d(1, mu * std::cos(angle), mu * std::sin(angle)) / std::hypot(1, mu);
     const Vector3d of_polar = Vector3d(-mu, std::cos(angle), std::sin(angle)) / std::hypot(1, mu);
@@ -82,7 +85,8 @@ TEST_CASE("s is in the dual cone exactly where the normal speed is not negative"
   std::uniform_real_distribution<double> number(-2, 2);
   for (const double mu : coefficients)
     for (int i = 0; i < 300; ++i) {
-      const Vector3d u(number(random), number(random), number(random));
+      const double z = number(random), y = number(random), x = number(random);
+      const Vector3d u(x, y, z);
       const Vector3d s = u + mu * std::hypot(u[1], u[2]) * Vector3d::UnitX();
       double least = 0;  // r . s over the edge of K, of which K is made
       for (int k = 0; k < 2000; ++k)

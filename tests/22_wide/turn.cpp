@@ -14,10 +14,11 @@ std::vector<Body> turning(int count, Real angle) {
   Random random(5);
   std::vector<Body> bodies;
   for (int i = 0; i < count; ++i) {
-    const Vec3 half =
-        i % 4 == 1 ? Vec3::Constant(random.between(Real(0.1), 1))
-                   : Vec3(random.between(Real(0.1), 1), random.between(Real(0.1), 1), random.between(Real(0.1), 1));
-    Body body = box(half, random.between(Real(0.1), 10)).turned(random.between(0, 6), random.direction());
+    const bool cube = i % 4 == 1;
+    const Real z = random.between(Real(0.1), 1), y = cube ? z : random.between(Real(0.1), 1),
+               x = cube ? z : random.between(Real(0.1), 1), mass = random.between(Real(0.1), 10);
+    const Vec3 axis = random.direction();
+    Body body = box({x, y, z}, mass).turned(random.between(0, 6), axis);
     body.spinning(angle / h * (i % 8 == 7 ? body.orientation * Vec3::UnitY() : random.direction()));
     if (i % 8 == 6) body.spinning(Vec3::Zero()), body.orientation.coeffs() *= 1 + 8 * eps;  // to be left as it is
     bodies.push_back(body);

@@ -29,7 +29,8 @@ void heap(World& world) {
                              : capsule(Real(0.2), Real(0.3), 10);
     if (i % 5 == 0) body.bouncy(Real(0.5));
     if (i % 7 == 0) body.rough(0);
-    world.add(body.turned(random.between(0, 3), random.direction()).at(place + random.vector(Real(0.1))));
+    const Vec3 axis = random.direction();
+    world.add(body.turned(random.between(0, 3), axis).at(place + random.vector(Real(0.1))));
   }
 }
 

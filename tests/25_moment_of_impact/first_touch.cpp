@@ -84,8 +84,9 @@ TEST_CASE("impact: between boxes whose faces are parallel but for rounding, a ga
   Random random(3);
   for (int i = 0; i < 20000; ++i) {
     CAPTURE(i);
-    const Vec3 half(random.between(Real(0.01), Real(0.5)), random.between(Real(0.01), Real(0.5)),
-                    random.between(Real(0.01), Real(0.5)));
+    const Real z = random.between(Real(0.01), Real(0.5)), y = random.between(Real(0.01), Real(0.5)),
+               x = random.between(Real(0.01), Real(0.5));
+    const Vec3 half(x, y, z);
     const Real apart = random.between(Real(0.001), 2), turn = std::pow(Real(10), random.between(-12, -7));
     const int axis = i % 3;
     const Body a = box(half, 1).oriented(random.orientation());

@@ -109,8 +109,9 @@ TEST_CASE("impact: no bullet passes a fixed sheet, whatever its shape, its way a
     CAPTURE(i);
     World world;
     world.add(sheet(1).fixed());
-    const Vec3 aim(0, random.between(Real(-0.3), Real(0.3)), random.between(Real(-0.3), Real(0.3)));
-    const Vec3 from = aim + Vec3(-random.between(1, 4), random.between(-1, 1), random.between(-1, 1));
+    const Real aim_z = random.between(Real(-0.3), Real(0.3)), aim_y = random.between(Real(-0.3), Real(0.3));
+    const Real z = random.between(-1, 1), y = random.between(-1, 1), x = -random.between(1, 4);
+    const Vec3 aim(0, aim_y, aim_z), from = aim + Vec3(x, y, z);
     const Real speed = random.between(50, 900);
     Body bullet = i % 2 == 0 ? sphere(Real(0.005), Real(0.01))
                              : box({Real(0.004), Real(0.003), Real(0.005)}, Real(0.01)).oriented(random.orientation());

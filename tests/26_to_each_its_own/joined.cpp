@@ -64,7 +64,8 @@ void pendulum_beside_wall(World& world, Random& random) {
 void door_and_stop(World& world, Random& random) {
   const Real mu = random.between(0, 1), e = random.between(0, Real(0.9)), width = random.between(Real(0.6), Real(1.2));
   world.add(box({width / 2, 1, Real(0.03)}, 20).at({width / 2, 0, 0}).rough(mu).bouncy(e));
-  const Vec3 axis = Vec3(random.between(Real(-0.2), Real(0.2)), 1, random.between(Real(-0.2), Real(0.2))).normalized();
+  const Real z = random.between(Real(-0.2), Real(0.2)), x = random.between(Real(-0.2), Real(0.2));
+  const Vec3 axis = Vec3(x, 1, z).normalized();
   world.joints.push_back(hinge(world, the_world, 0, Vec3::Zero(), axis));
   world.bodies[0].angular_velocity = random.between(1, 12) * axis;
   world.bodies[0].velocity = world.bodies[0].angular_velocity.cross(world.bodies[0].position);

@@ -154,7 +154,8 @@ TEST_CASE("ray: who is only just hit is not lost among many: corners and edges s
   int hits = 0;
   for (int i = 0; i < 20000; ++i) {
     World world;
-    const Vec3 half(random.between(Real(0.1), 1), random.between(Real(0.1), 1), random.between(Real(0.1), 1));
+    const Real z = random.between(Real(0.1), 1), y = random.between(Real(0.1), 1), x = random.between(Real(0.1), 1);
+    const Vec3 half(x, y, z);
     Body body = box(half, 1).at(random.vector(10));
     if (i % 2 == 0) body.oriented(random.orientation());
     if (i % 7 == 0) body = half_space(i % 2 == 0 ? Vec3::UnitY() : random.direction()).at(random.vector(10));

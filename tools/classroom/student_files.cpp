@@ -35,7 +35,7 @@ std::string short_name(const Exercise& exercise) {
   return exercise.name.substr(0, 2) + (exercise.transfer() ? "-transfer" : "");
 }
 
-const Exercise& exercise_named(const std::vector<Exercise>& all, const std::string& word) {
+const Exercise& exercise_named(const std::vector<Exercise>& all, std::string_view word) {
   std::string asked = fs::path(word).stem().string();
   for (char& c : asked)
     if (c == '-') c = '_';

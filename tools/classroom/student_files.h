@@ -11,7 +11,7 @@ std::vector<Exercise> all_exercises();
 std::string short_name(const Exercise& exercise);
 /// The exercise that a word names: 03, 3, baumgarte, 03_baumgarte; with -transfer or _transfer for the second one of a chapter.
 /// Throws InvalidInput, naming all there are.
-const Exercise& exercise_named(const std::vector<Exercise>& all, const std::string& word);
+const Exercise& exercise_named(const std::vector<Exercise>& all, std::string_view word);
 /// Where the task and the file with the gap are.
 std::filesystem::path task_of(const Exercise& exercise);
 std::filesystem::path stub_of(const Exercise& exercise);

@@ -27,18 +27,21 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
       {"a wagon that can be stopped stands, and stays", 1,
        [](Random& random, const Answer& answer) {
-         return rolled(random, "is slow", random.between(1, 3), random.between(Real(5.2), Real(5.8)), answer);
+         const Real needed = random.between(Real(5.2), Real(5.8)), speed = random.between(1, 3);
+         return rolled(random, "is slow", speed, needed, answer);
        },
        "the brake gives -m v where that is less than F h, and F h otherwise. The wagon stops after some steps, and "
        "then stands."},
       {"a wagon that is too fast for its brake goes on more slowly", 1,
        [](Random& random, const Answer& answer) {
-         return rolled(random, "is fast", random.between(5, 9), random.between(80, 100), answer);
+         const Real needed = random.between(80, 100), speed = random.between(5, 9);
+         return rolled(random, "is fast", speed, needed, answer);
        },
        "a force of F gives the impulse F h in a step of h, and not more."},
       {"a wagon that rolls backwards is held back, too", 1,
        [](Random& random, const Answer& answer) {
-         return rolled(random, "rolls backwards", -random.between(5, 9), random.between(80, 100), answer);
+         const Real needed = random.between(80, 100), speed = -random.between(5, 9);
+         return rolled(random, "rolls backwards", speed, needed, answer);
        },
        "the brake acts against the motion, whichever way the wagon rolls: from -F h to F h."},
   };

@@ -28,7 +28,8 @@ struct Game {
     sweet_spot = centre + (half.x() * half.x() + half.y() * half.y()) / (3 * centre);
     Body bat = box(half, random.between(Real(0.6), Real(1.2))).at(pivot + centre * along_ + aside_);
     bat.orientation = turn;
-    bat.spinning(turn * Vec3(random.between(-1, 1), random.between(-1, 1), swing));
+    const Real y = random.between(-1, 1), x = random.between(-1, 1);
+    bat.spinning(turn * Vec3(x, y, swing));
     if (swing == 0) bat.angular_velocity.setZero();
     bat.moving(bat.angular_velocity.cross(bat.position - pivot));
     world.add(bat);
@@ -77,7 +78,8 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
       {"a ball rebounds from a bat at rest, and the pivot stays where it is", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
-         Game game(random, -random.between(6, 9), random.between(Real(0.3), Real(0.8)));
+         const Real e = random.between(Real(0.3), Real(0.8));
+         Game game(random, -random.between(6, 9), e);
          game.play(answer);
          return {{"the pivot of your bat moves at", game.world.bodies[0].velocity_at(game.pivot).norm(), "m/s", 1e-8},
                  {"your ball separates from the bat at", game.separates(), "m/s"}};
@@ -86,8 +88,9 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
        "pivot. The centre of mass follows the rotation: v = ω × d."},
       {"at e = 1 a swinging bat and its ball keep their energy", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
-         const Vec3 aside(0, random.between(Real(0.05), Real(0.1)), random.between(Real(0.1), Real(0.15)));
-         Game game(random, -random.between(6, 9), 1, random.between(5, 8), aside);
+         const Real z = random.between(Real(0.1), Real(0.15)), y = random.between(Real(0.05), Real(0.1)),
+                    swing = random.between(5, 8);
+         Game game(random, -random.between(6, 9), 1, swing, {0, y, z});
          const Real before = kinetic_energy(game.world);
          game.play(answer);
          return {{"your ball, hit by a swinging bat, separates from it at", game.separates(), "m/s"},
@@ -99,7 +102,8 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
        "of the ball relative to the point of the bat that it hits."},
       {"a hand at the pivot feels nothing if the ball hits the sweet spot, and a lot if it hits the tip", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
-         Game game(random, -random.between(6, 9), random.between(Real(0.3), Real(0.8)));
+         const Real e = random.between(Real(0.3), Real(0.8));
+         Game game(random, -random.between(6, 9), e);
          Game other = game;
          game.touch_at(game.sweet_spot);
          other.touch_at(other.tip);
@@ -111,7 +115,8 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
        "centre of mass follows the rotation about the pivot."},
       {"a ball that already flies away gets no impulse", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
-         Game game(random, random.between(30, 40), Real(0.5), random.between(5, 8));
+         const Real swing = random.between(5, 8);
+         Game game(random, random.between(30, 40), Real(0.5), swing);
          game.play(answer);
          return {{"your ball, which was already flying away, separates from the bat at", game.separates(), "m/s"}};
        },

@@ -25,7 +25,8 @@ struct Ride {
 };
 
 Ride ball(Random& random) {
-  Body made = sphere(random.between(Real(0.2), Real(0.4)), random.between(5, 20)).moving(random.vector(4));
+  const Real mass = random.between(5, 20);
+  Body made = sphere(random.between(Real(0.2), Real(0.4)), mass).moving(random.vector(4));
   return {made, Vec3::Zero(), random.direction()};
 }
 

@@ -70,8 +70,8 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
       {"a ball stays on a fixed rail after a single sweep, and keeps its speed along it", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
-         Railed railed(random, random_box(random).fixed(), sphere(Real(0.1), random.between(2, 10)), Vec3::Zero(),
-                       answer);
+         const Body ball = sphere(Real(0.1), random.between(2, 10));
+         Railed railed(random, random_box(random).fixed(), ball, Vec3::Zero(), answer);
          const Vec3 out = railed.across().normalized(), axis = railed.axis();
          const Real outwards = random.between(1, 3), off = random.between(1, 3), along = random.between(1, 3);
          railed.b().velocity = outwards * out + off * axis + along * axis.cross(out);

@@ -47,7 +47,8 @@ struct Chain {
   void hang_crooked(Random& random) {
     const Real length = random.between(Real(0.3), Real(0.6));
     const Vec3 aside = Real(0.3) * random.direction();
-    hang(random.between(1, 4), length, aside, 2 * random.direction());
+    const Vec3 velocity = 2 * random.direction();
+    hang(random.between(1, 4), length, aside, velocity);
   }
   /// After gravity of a step.
   std::vector<Reading> solved(const Answer& answer) {

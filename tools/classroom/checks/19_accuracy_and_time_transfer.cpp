@@ -58,14 +58,15 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
   return {
       {"on the way up, weight and friction slow the box", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
-         return {{"on its way up the position of your box is",
-                  push_of(random, between(random, 0.3, 0.7), between(random, 0.4, 0.9)).asked(answer), "m"}};
+         const double turns = between(random, 0.4, 0.9), held = between(random, 0.3, 0.7);
+         return {{"on its way up the position of your box is", push_of(random, held, turns).asked(answer), "m"}};
        },
        "on the way up, weight and friction both slow the box, by g sin and μ g cos of the slope. Its position is v t - "
        "a t²/2."},
       {"if friction can hold the box, it stays", 1,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
-         const Push stays = push_of(random, between(random, 1.2, 1.6), between(random, 2, 3));
+         const double turns = between(random, 2, 3), held = between(random, 1.2, 1.6);
+         const Push stays = push_of(random, held, turns);
          Push rests = stays;
          rests.speed = 0;
          return {{"long after it has stopped, the position of your box, which friction holds, is", stays.asked(answer),
@@ -76,7 +77,8 @@ std::vector<Check<Answer>> checks_of(const Answer& /*any*/) {
        "box stays where it stopped."},
       {"if friction cannot hold the box, it slides back", 2,
        [](Random& random, const Answer& answer) -> std::vector<Reading> {
-         const Push back = push_of(random, between(random, 0.3, 0.6), between(random, 3, 4));
+         const double turns = between(random, 3, 4), held = between(random, 0.3, 0.6);
+         const Push back = push_of(random, held, turns);
          Push nearly = push_of(random, 1, 0), starts = push_of(random, between(random, 0.3, 0.6), 0);
          const double part = between(random, 0.3, 0.7);
          nearly.mu = part * std::sin(nearly.slope) + (1 - part) * std::tan(nearly.slope);

@@ -173,11 +173,12 @@ std::string folder_of(int chapter) {
   throw InvalidInput(fmt::format("there is no chapter {} in {}", chapter, (kit().sources / "chapters").string()));
 }
 
-const ChapterOfMine& chapter_of_mine(const std::string& word) {
+const ChapterOfMine& chapter_of_mine(std::string_view word) {
   std::vector<std::string> names;
   for (const ChapterOfMine& chapter : chapters_of_mine()) {
     const std::string number = two_digits(chapter.number), folder = folder_of(chapter.number);
-    if (word == number || "0" + word == number || word == folder || word == folder.substr(3)) return chapter;
+    if (word == number || number == "0" + std::string(word) || word == folder || word == folder.substr(3))
+      return chapter;
     names.push_back(number);
   }
   throw InvalidInput(fmt::format("unknown chapter '{}': one of these is needed: {}", word, fmt::join(names, ", ")));

@@ -16,7 +16,7 @@ struct ChapterOfMine {
 
 const std::vector<ChapterOfMine>& chapters_of_mine();
 /// 03, 3, baumgarte, 03_baumgarte. Throws InvalidInput, naming all there are.
-const ChapterOfMine& chapter_of_mine(const std::string& word);
+const ChapterOfMine& chapter_of_mine(std::string_view word);
 /// 03
 std::string two_digits(int chapter);
 /// 03_baumgarte: its folder in chapters/, and its program.

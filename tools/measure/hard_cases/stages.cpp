@@ -145,8 +145,8 @@ const std::vector<Stage>& table_stages() {
   return all;
 }
 
-const Stage& stage_named(const std::string& name) {
-  return named("stage", table_stages(), name);
+const Stage& stage_named(std::string_view name) {
+  return named("stage", table_stages(), std::string(name));
 }
 
 }  // namespace pushback

@@ -46,6 +46,6 @@ inline constexpr std::size_t chapter_stages = 8;
 const std::vector<Stage>& table_stages();
 
 /// Of the table's. Throws InvalidInput, naming those that there are.
-const Stage& stage_named(const std::string& name);
+const Stage& stage_named(std::string_view name);
 
 }  // namespace pushback
