@@ -36,15 +36,6 @@ TEST_CASE(
   CHECK(left_by_one_sweep(Real(0.6)) == Approx(1.44).margin(0.005));
 }
 
-TEST_CASE("01: it also pulls: a ball that leaves is held back") {
-  World world;
-  Body& ball = ball_on_ground(world, Real(0.01)).moving({0, 5, 0});
-  Solver<> solver;
-  world.step(solver, h, one_sweep);
-  CHECK(std::abs(ball.velocity.y()) <= 16 * eps * 5);
-  CHECK(world.contacts[0].impulse.y() == Approx(-(5 - g * h) * 10).epsilon(64 * eps));
-}
-
 TEST_CASE("01: a box let go under a plate hangs there, pulled by as much as gravity takes") {
   World world;
   velocity_constraint_scenes::DroppedAndUnderPlate{}(world);

@@ -90,18 +90,6 @@ TEST_CASE("07: in steps of 1/120 s both piles fall cold and stand for a minute w
   }
 }
 
-TEST_CASE("07: warm, ten boxes in steps of 1/60 s fall within a minute, unless they have twice the sweeps",
-          "[checked]") {
-  const auto ten_boxes = [](World& world) { stack(world, 10); };
-  int fallen = 0;
-  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
-    fallen += minute_of<FullSolver>(ten_boxes, h, 10, seed).fell_after > 0;
-    CHECK(minute_of<FullSolver>(ten_boxes, h, 20, seed).fell_after < 0);
-  }
-  INFO(fallen << " of 30 fall with ten sweeps");
-  CHECK(fallen >= 10);
-}
-
 TEST_CASE("07: started warm, the same residual in fewer sweeps") {
   std::vector<Real> cold, warm;
   for (const int sweeps : {3, 5, 10, 20, 40}) {

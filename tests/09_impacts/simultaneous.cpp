@@ -75,16 +75,6 @@ TEST_CASE("09: simultaneous, a row of five leaves with -3, 2, 2, 2, 2, whatever 
   }
 }
 
-TEST_CASE("09: simultaneous, a row of five in substeps of one sweep, with soft contacts, within 20 mm/s") {
-  World world = row_of_five();
-  SteadySolver solver;
-  for (int step = 0; step < 30; ++step) {
-    substeps(world, solver, h, 32);
-    INFO("step " << step << ": off by " << off(world) << " m/s");
-    CHECK(off(world) <= Real(0.02));
-  }
-}
-
 // Where nothing but what bounces, or lies without moving, is touched. A slow approach that may not bounce takes some energy
 // (0.02 % with the default threshold), and so would a contact that opens on its own.
 TEST_CASE("09: simultaneous, all energy of balls with e = 1 is conserved, while they break and as they bounce on") {

@@ -20,17 +20,6 @@ Real energy(const World& world) {
 
 }  // namespace
 
-TEST_CASE("13, 14: every scene starts with its joints in place") {
-  using namespace joints_under_load_scenes;
-  for (const auto& fill : std::vector<std::function<void(World&)>>{
-           beads_on_wires, Pendulums{}, door_and_weld, ChainWithWeight{}, suspension_bridge, ropes, cloth_over_ball}) {
-    World world;
-    fill(world);
-    REQUIRE(!world.joints.empty());
-    CHECK(largest_joint_error(world) <= 64 * eps);
-  }
-}
-
 TEST_CASE("13: a bead that is not fed back leaves a ring outwards, r'^2 = r^2 + h^2 v^2, and keeps r v") {
   Random random(1);
   for (int i = 0; i < 50; ++i) {

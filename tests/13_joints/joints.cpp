@@ -164,32 +164,6 @@ TEST_CASE("a joint leaves 6 - rank J freedoms to a body that hangs on the world"
   CHECK(left_by([&](World& w) { return weld(w, the_world, 0, p); }) == 0);
 }
 
-TEST_CASE("four bars on parallel hinges: rows that say the same twice, and one freedom") {
-  // 3 bars have 18 freedoms, and 4 hinges ask for 20 rows. That the last bar is in the plane is known three times over.
-  World world;
-  world.add(box({Real(0.1), Real(0.5), Real(0.1)}, 1).at({0, Real(0.5), 0}));
-  world.add(box({Real(0.5), Real(0.1), Real(0.1)}, 1).at({Real(0.5), 1, 0}));
-  world.add(box({Real(0.1), Real(0.5), Real(0.1)}, 1).at({1, Real(0.5), 0}));
-  const auto pin = [&world](int a, int b, const Vec3& at) {
-    world.joints.push_back(hinge(world, a, b, at, Vec3::UnitZ()));
-  };
-  pin(the_world, 0, {0, 0, 0});
-  pin(0, 1, {0, 1, 0});
-  pin(1, 2, {1, 1, 0});
-  pin(2, the_world, {1, 0, 0});
-  CHECK(jacobian_of(world).rows() == 20);
-  CHECK(freedoms(world) == 1);
-
-  // The solver does not mind: it swings for five seconds, and every hinge holds.
-  JointedSolver solver;
-  world.bodies[1].moving({2, 0, 0});
-  for (int step = 0; step < 300; ++step) world.step(solver, h, 50);
-  for (const Joint& joint : world.joints) {
-    for (const Equation& equation : asked_by(joint, body_of(world, joint.a), body_of(world, joint.b)))
-      CHECK(std::abs(equation.error) < Real(2e-3));
-  }
-}
-
 TEST_CASE("a joint between free bodies keeps their momentum, and across a distance their angular momentum") {
   Random random(3);
   for (int i = 0; i < 50; ++i) {

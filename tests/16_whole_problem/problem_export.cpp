@@ -21,19 +21,6 @@ std::string in_quotes(const fs::path& file) {
 
 }  // namespace
 
-TEST_CASE("the first step of a scene comes out as it stands there") {
-  const Scratch scratch;
-  const fs::path file = scratch / "boxes.dat";
-  const Ended ended = call_program(EXPORT_PROGRAM, "07-ten-boxes " + in_quotes(file));
-  INFO(ended.err);
-  REQUIRE(ended.status == 0);
-  CHECK(contains(ended.out, "40 contacts of 07-ten-boxes after 0 steps"));
-  World world;
-  stack(world, 10);
-  world.begin_step(Real(1) / 60);
-  CHECK(text_of(file) == problem_text(problem_of(world)));
-}
-
 TEST_CASE("steps that go before it change it, and what comes out is solved, and in the same bits again") {
   const Scratch scratch;
   std::string before;

@@ -4,7 +4,6 @@
 
 #include "pushback/chapters/12_soft_contacts/steady_solver.h"
 #include "pushback/chapters/16_whole_problem/problem_file.h"
-#include "pushback/chapters/17_direct_contacts/growth.h"
 #include "pushback/common/world/situations.h"
 #include "pushback/engine/direct/newton_system.h"
 #include "pushback/engine/direct/row_matrix.h"
@@ -13,7 +12,6 @@
 #include "tests/support/catch.h"
 #include "tests/support/foreign_problems.h"
 #include "tests/support/frame.h"
-#include "tests/support/substeps.h"
 
 using namespace pushback;
 
@@ -116,38 +114,6 @@ TEST_CASE("the smoothed method stops after counted work, in the same bits, and n
   CHECK(solve_smoothed(problem, {.systems = 3}, factor).systems == 3);
 }
 
-TEST_CASE("as a pyramid grows, systems do not, and the matrix grows as its contacts do") {
-  std::vector<std::pair<double, double>> entries, fill;
-  for (const int base : {5, 8, 12, 16}) {
-    Frame frame([base](World& world) { pyramid(world, base); });
-    const ContactProblem problem = problem_of(frame.world);
-    const SmoothedSolution found = solve_smoothed(problem, {}, factor_of(frame.world));
-    INFO(base << ": " << found.systems << " systems, " << found.residual);
-    CHECK(found.residual <= 1e-8);
-    CHECK(found.systems <= 14);
-    entries.emplace_back(static_cast<double>(problem.contacts()), found.entries);
-    fill.emplace_back(static_cast<double>(problem.contacts()), found.fill);
-  }
-  CHECK(growth_exponent(entries) == Approx(1).margin(0.1));
-  CHECK(growth_exponent(fill) > growth_exponent(entries));
-  CHECK(growth_exponent(fill) < 1.7);
-}
-
-TEST_CASE("a heap is solved while it falls and when it lies, though its systems are nearly singular") {
-  Frame frame([](World& world) { heap(world, 4, 4, Real(-1.5)); });
-  SteadySolver solver;
-  for (int second = 1; second <= 4; ++second) {
-    for (int step = 0; step < 60; ++step) substeps(frame.world, solver, Real(1) / 60, 8);
-    frame.world.begin_step(Real(1) / 60);
-    const ContactProblem problem = problem_of(frame.world);
-    const SmoothedSolution found = solve_smoothed(problem, {}, factor_of(frame.world));
-    INFO(second << " s, " << problem.contacts() << " contacts: " << found.systems << " systems, " << found.residual);
-    CHECK(problem.contacts() > 100);
-    CHECK(found.residual <= (std::is_same_v<Real, float> ? 1e-5 : 1e-8));
-    CHECK(found.systems <= 60);
-  }
-}
-
 TEST_CASE(
     "where there is no solution, as a body is squeezed by two that do not give way, both methods end and say so") {
   Eigen::MatrixXd w = Eigen::MatrixXd::Zero(6, 6);
@@ -163,17 +129,4 @@ TEST_CASE(
   q[0] = 1;  // q = H v now: one comes, one goes, no impulse is needed but on one side
   CHECK(solve_smoothed(problem_with(w, q, 0.5)).residual <= 1e-8);
   CHECK(solve_best(problem_with(w, q, 0.5)).residual < 1e-12);
-}
-
-TEST_CASE("problems that others wrote are solved by some linear systems, all but the pile of rocks") {
-  for (const std::filesystem::path& file : foreign_problems()) {
-    INFO(file);
-    const ContactProblem problem = read_problem_file(file);
-    const SmoothedSolution found = solve_smoothed(problem);
-    CHECK(found.residual == relative_residual(problem, found.r));
-    CHECK(found.systems <= SmoothedLimits{}.systems);
-    if (file.stem() == "RockPile_tob1") continue;  // its path bends back before it is there
-    CHECK(found.residual <= 1e-8);
-    CHECK(found.systems <= 40);
-  }
 }

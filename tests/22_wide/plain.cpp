@@ -4,10 +4,8 @@
 #include <algorithm>
 
 #include "pushback/common/bodies/random.h"
-#include "pushback/common/world/situations.h"
 #include "pushback/engine/substeps/pair_colouring.h"
 #include "tests/support/catch.h"
-#include "tests/support/yardstick.h"
 
 using namespace pushback;
 
@@ -62,22 +60,6 @@ void sort_as_engine(std::vector<plain_22::Set>& sets, const std::vector<Touching
 }
 
 }  // namespace
-
-TEST_CASE("plain colouring: the sets of a pyramid are the engine's, whatever its size") {
-  for (int base = 1; base <= 14; ++base) {
-    CAPTURE(base);
-    World world;
-    pyramid(world, base);
-    world.begin_step(h);
-    const std::vector<TouchingPair> pairs = touching_pairs(world.contacts);
-    const std::vector<plain_22::Set> sets = plain_sets(pairs, world);
-    CHECK(pairs.size() == static_cast<std::size_t>(base * base));
-    CHECK(sets.size() == (base == 1 ? 1u : base == 2 ? 3u : 4u));
-    check_sets(sets, pairs, world);
-    CHECK(sets == engine_sets(pairs, world));
-    CHECK(sets == plain_sets(pairs, world));
-  }
-}
 
 TEST_CASE(
     "plain colouring: of any pairs in any order, the sets are the engine's, which puts pairs with more contacts "

@@ -1,5 +1,4 @@
 /// Contacts that ride with their bodies after detection, against detecting them again.
-#include "pushback/chapters/19_accuracy_and_time/motion.h"
 #include "pushback/chapters/21_detected_once/detected_once.h"
 #include "pushback/chapters/21_detected_once/scenes.h"
 #include "pushback/common/world/measure.h"

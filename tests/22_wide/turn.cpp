@@ -85,27 +85,3 @@ TEST_CASE("wide: what turns side by side turns as it does alone, and keeps momen
     }
   }
 }
-
-TEST_CASE(
-    "wide: bodies turn in the same bits in one, four and eight lanes, on any processor, beside whatever neighbours") {
-  for (const Real angle : {Real(1e-6), Real(0.01), Real(1), Real(30)}) {
-    const std::vector<Body> bodies = turning(24, angle);
-    for (std::size_t first = 0; first < bodies.size(); first += lanes_per_bundle) {
-      const EightRotations<Real> begin = eight_of(bodies, first);
-      EightRotations<Real> one = begin;
-      plain_passes<Real>(1).turn(one, h);
-      for (const auto& passes : {plain_passes<Real>(4), plain_passes<Real>(8), passes_of_this_processor<Real>(1),
-                                 passes_of_this_processor<Real>(4), passes_of_this_processor<Real>(8)}) {
-        EightRotations<Real> several = begin;
-        passes.turn(several, h);
-        for (std::size_t i = 0; i < lanes_per_bundle; ++i) {
-          INFO("body " << first + i << ", by " << angle << ", " << passes.lanes << " lanes");
-          CHECK(several.solved.values[i] == one.solved.values[i]);
-          if (one.solved.values[i] == 0) continue;
-          CHECK(orientation_in(several, i).coeffs() == orientation_in(one, i).coeffs());
-          CHECK(spin_in(several, i) == spin_in(one, i));
-        }
-      }
-    }
-  }
-}

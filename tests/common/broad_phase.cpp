@@ -101,27 +101,6 @@ TEST_CASE("near pairs are those that asking every pair finds, in ascending order
   REQUIRE(found > 10000);
 }
 
-TEST_CASE("the near pairs among some bodies are those of all near pairs that lie among them") {
-  Random random(8);
-  std::size_t found = 0;
-  for (const int count : {0, 1, 2, 10, 50, 200}) {
-    for (const std::size_t one_in : {1, 2, 5, 1000}) {  // all of them, ..., hardly any
-      const World world = random_world(count, 2, random);
-      std::vector<int> which;
-      for (int i = 0; i < count; ++i) {
-        if (random.below(one_in) == 0) which.push_back(i);
-      }
-      const auto is_among = [&](int index) { return std::binary_search(which.begin(), which.end(), index); };
-      std::vector<BodyPair> expected = near_pairs(world.bodies);
-      std::erase_if(expected, [&](const BodyPair& pair) { return !is_among(pair.first) || !is_among(pair.second); });
-      INFO(which.size() << " of " << count << " bodies");
-      REQUIRE(near_pairs(world.bodies, which) == expected);
-      if (one_in > 1) found += expected.size();
-    }
-  }
-  REQUIRE(found > 1000);
-}
-
 TEST_CASE(
     "whatever the axis along which a scene is spread, their sizes, and however far some are away: the same pairs") {
   Random random(9);

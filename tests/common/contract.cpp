@@ -67,13 +67,6 @@ World at_work(AnySolver& solver) {
   return world;
 }
 
-Real total_impulse_up(const Contacts& contacts, Vec3 Contact::* impulse) {
-  Real sum = 0;
-  for (const Contact& contact : contacts)
-    if (contact.id.body_a == 0) sum += (contact.*impulse).y();
-  return sum;
-}
-
 struct RelaxMisspelt : Effect, Relaxes {
   void build(RelaxingContext&) {}
   void relaxx(RelaxingContext&) {}
@@ -173,21 +166,6 @@ TEST_CASE("contract: the impulse of a contact is the sum over the step, whatever
   }
 }
 
-TEST_CASE("contract: the last impulse of a contact is that of one substep") {
-  for (const NamedSolver& named : all_solvers()) {
-    INFO(named.name);
-    AnySolver solver = named.solver;
-    World world;
-    stack(world, 1);
-    for (int step = 0; step < 240; ++step) world.step(solver, h);
-    if (world.contacts.empty()) continue;  // the naive box hops
-    const Real weight = 100 * World::g * h, substeps = static_cast<Real>(solver.plan(h).all_substeps());
-    if (named.name == "00 naive") continue;
-    CHECK(std::abs(total_impulse_up(world.contacts, &Contact::impulse) - weight) < 1e-3 * weight);
-    CHECK(std::abs(substeps * total_impulse_up(world.contacts, &Contact::last_impulse) - weight) < 1e-3 * weight);
-  }
-}
-
 TEST_CASE("contract: contacts_before has the impulses of the latest substep, from which a solver starts") {
   Substeps<Pushing> solver({}, 4);
   World world;
@@ -198,18 +176,6 @@ TEST_CASE("contract: contacts_before has the impulses of the latest substep, fro
   REQUIRE(world.contacts_before.size() == after.size());
   for (std::size_t i = 0; i < after.size(); ++i) CHECK(world.contacts_before[i].impulse == after[i].last_impulse);
   CHECK_FALSE(world.last_impulses_known);
-}
-
-TEST_CASE("contract: every solver with rows counts them") {
-  for (const NamedSolver& named : all_solvers()) {
-    if (named.name == "00 naive") continue;  // it has none
-    INFO(named.name);
-    AnySolver solver = named.solver;
-    World world = at_work(solver);
-    const auto contacts = static_cast<int>(world.contacts.size());
-    CHECK(solver.stats().rows >= contacts);
-    CHECK(solver.stats().rows <= 3 * contacts + 36);  // of those that were near, and did not touch
-  }
 }
 
 TEST_CASE("contract: the residual is what the sweeps leave") {
@@ -229,28 +195,6 @@ TEST_CASE("contract: the residual is what the sweeps leave") {
     if (solver.plan(h).all_substeps() == 1) CHECK(residuals[1] > residuals[2]);  // no relaxing sweep follows
     CHECK(residuals[2] < 1e-3);
   }
-}
-
-TEST_CASE("contract: rows that are solved eight at a time have the residual of those solved one by one") {
-  DetectedOnce one_by_one;
-  WideSolver<double> wide;
-  World world, other;
-  for (World* each : {&world, &other}) {
-    pyramid(*each, 5);
-    each->bodies.back().velocity = {2, -3, 1};
-  }
-  Real largest = 0;
-  for (int step = 0; step < 20; ++step) {
-    other = world;
-    world.step(one_by_one, h);
-    other.step(wide, h);
-    CHECK(one_by_one.stats().rows == wide.stats().rows);
-    const Real one = one_by_one.stats().residual, eight = wide.stats().residual;
-    CHECK(eight < 10 * one + 1e-9);  // in another order
-    CHECK(one < 10 * eight + 1e-9);
-    largest = std::max(largest, eight);
-  }
-  CHECK(largest > 1e-6);
 }
 
 TEST_CASE("contract: a step in substeps has the bits of so many steps") {

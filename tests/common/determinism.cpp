@@ -50,16 +50,6 @@ std::vector<std::uint64_t> fresh_history() {
 
 }  // namespace
 
-TEST_CASE("a solver that was used before is as good as new: what lasts from step to step is in the world") {
-  FullSolver used;
-  World other;
-  stack(other, 4);
-  for (int step = 0; step < 50; ++step) other.step(used, h / 3, 4);
-  World world;
-  pyramid_under_fire(world);
-  CHECK(history(world, used) == fresh_history());
-}
-
 TEST_CASE("nothing depends on where in memory the bodies are") {
   World elsewhere;
   elsewhere.bodies.reserve(1000);

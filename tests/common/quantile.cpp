@@ -2,7 +2,6 @@
 #include "pushback/common/basics/quantile.h"
 
 #include <limits>
-#include <random>
 
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
@@ -28,32 +27,6 @@ TEST_CASE("quartiles of one to five values, in whatever order they come, lie bet
   CHECK(quartiles({16, 4, 1, 8}) == std::vector<double>{3.25, 6, 10});
   CHECK(quartiles({50, 1, 3, 4, 2}) == std::vector<double>{2, 3, 4});
   CHECK(median({16, 4, 1, 8}) == 6);
-}
-
-TEST_CASE(
-    "a quantile is monotone in p, the least value at 0, the greatest at 1, and no order of the values changes it") {
-  std::mt19937 random(13);
-  for (int trial = 0; trial < 200; ++trial) {
-    std::vector<double> values(1 + random() % 12);
-    for (double& value : values) value = static_cast<double>(random() % 7) - 3;
-    std::vector<double> mirrored(values.rbegin(), values.rend()), ascending = values;
-    std::sort(ascending.begin(), ascending.end());
-    CHECK(quantile(values, 0) == ascending.front());
-    CHECK(quantile(values, 1) == ascending.back());
-    double before = -infinite;
-    for (double p = 0; p <= 1; p += 1.0 / 64) {
-      const double now = quantile(values, p);
-      CHECK(now >= before);
-      CHECK(now == quantile(mirrored, p));
-      before = now;
-    }
-    for (double& value : mirrored) value = -value;
-    CHECK(median(mirrored) == -median(values));
-    for (std::size_t i = 0; i < ascending.size(); ++i)  // at its own place each value itself
-      if (ascending.size() > 1)
-        CHECK(quantile(values, static_cast<double>(i) / static_cast<double>(ascending.size() - 1)) ==
-              Approx(ascending[i]).margin(1e-12));
-  }
 }
 
 TEST_CASE("what has no quantile is refused, by name") {

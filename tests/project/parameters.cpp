@@ -108,24 +108,6 @@ void end_well_at_the_ends(const std::string& chapter) {
 
 }  // namespace
 
-TEST_CASE("beyond its ends a parameter is refused: status 2, and a message with the value and what is allowed") {
-  for (const std::string& chapter : quick) {
-    for (const Slider& slider : sliders_of(chapter)) {
-      const double least = std::stod(slider.least), most = std::stod(slider.most);
-      std::vector<std::string> refused{fmt::format("{}", least - 1), fmt::format("{}", 2 * most + 1), "nan", "many"};
-      if (slider.whole) refused.push_back(fmt::format("{}", least + 0.5));
-      for (const std::string& value : refused) {
-        const Outcome outcome = run(chapter, slider.flag + "=" + value);
-        INFO(chapter << " " << slider.flag << " " << value << ": " << outcome.err);
-        CHECK(outcome.status == 2);
-        CHECK(contains(outcome.err, slider.flag));
-        CHECK(contains(outcome.err, value));
-        CHECK(contains(outcome.err, fmt::format("from {} to {}", slider.least, slider.most)));
-      }
-    }
-  }
-}
-
 TEST_CASE("at both ends of each parameter a chapter ends with status 0, and with numbers where the default has them") {
   for (const std::string& chapter : quick) end_well_at_the_ends(chapter);
 }
