@@ -1,4 +1,4 @@
-// The comparison sheet: its measures, its files, one colour for one name.
+// The comparison sheet: its files, and one marker for one name.
 #include "pushback/common/experiment/sheet.h"
 
 #include "pushback/common/experiment/experiment.h"
