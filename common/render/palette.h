@@ -1,7 +1,7 @@
 /// All colours, as Ink for legends and text and as linear Colour for the painter.
 ///
 /// They were chosen by simulating colour blindness. Any two contact states, any state and any body, and the two kinds of arrow stay
-/// clearly distinguishable (CIE76 distance above 19). The colours of bodies are muted, so that contacts and
+/// clearly distinguishable (CIE76 distance above 19). A test asserts this. The colours of bodies are muted, so that contacts and
 /// impulses stand out.
 #pragma once
 

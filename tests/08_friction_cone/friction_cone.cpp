@@ -91,6 +91,31 @@ struct DiscSpy : Effect {
 };
 
 /// How a plank comes to rest on the ground, everything turned about the vertical by `turn`, and then back.
+template <class ContactSolver>
+std::vector<Vec3> turned_slide(Real turn) {
+  World world;
+  world.add(ground().rough(1));
+  world.add(plank(Real(0.3), Vec3::Zero(), turn, Push{}).turned(turn + Real(0.4), Vec3::UnitY()).spinning({0, 3, 0}));
+  ContactSolver solver;
+  std::vector<Vec3> path;
+  const Eigen::AngleAxis<Real> back(-turn, Vec3::UnitY());
+  for (int step = 0; step < 90; ++step) {
+    world.step(solver, h, 10);
+    path.push_back(back * world.bodies[1].position);
+    path.push_back(back * world.bodies[1].velocity);
+  }
+  return path;
+}
+template <class ContactSolver>
+Real largest_change_by_turning() {
+  const std::vector<Vec3> straight = turned_slide<ContactSolver>(0);
+  Real largest = 0;
+  for (const Real turn : {Real(0.3), Real(0.8), Real(1.7), Real(3), Real(-2.2)}) {
+    const std::vector<Vec3> turned = turned_slide<ContactSolver>(turn);
+    for (std::size_t i = 0; i < turned.size(); ++i) largest = std::max(largest, (turned[i] - straight[i]).norm());
+  }
+  return largest;
+}
 
 }  // namespace
 
@@ -247,6 +272,12 @@ TEST_CASE("08: under any heading a box stops where it should, however it lies") 
   }
 }
 
+TEST_CASE("08: turning everything about the normal turns what happens, and the pyramid's tangents do not turn along") {
+  CHECK(largest_change_by_turning<With<FrictionCone>>() < tiny);
+  CHECK(largest_change_by_turning<With<FrictionScaledBack>>() < tiny);
+  CHECK(largest_change_by_turning<FullSolver>() > Real(0.3));
+}
+
 TEST_CASE("08: with mu = 0 nothing is rubbed, to the bit, and with a huge mu nothing slips") {
   Random random(7);
   for (int i = 0; i < 100; ++i) {
@@ -263,5 +294,18 @@ TEST_CASE("08: with mu = 0 nothing is rubbed, to the bit, and with a huge mu not
       if (mu_of_pair > 0) CHECK(m.slip().norm() < tiny);
       else CHECK(hash_of(m.world) == hash_of(bare.world));
     }
+  }
+}
+
+TEST_CASE("08: a ball thrown under any heading rolls on straight at 5/7 of its speed") {
+  for (int i = 0; i < 16; ++i) {
+    const Vec3 way = way_of_heading(pi / 8 * static_cast<Real>(i) + Real(0.1));
+    World world;
+    world.add(ground().rough(1));
+    world.add(sphere(Real(0.3), 10).at({0, Real(0.3), 0}).moving(Push{}.v0 * way).rough(own_friction(Push{}.mu)));
+    With<FrictionCone> solver;
+    for (int step = 0; step < 90; ++step) world.step(solver, h, 1);
+    CHECK(world.bodies[1].velocity.dot(way) == Approx(Push{}.v0 * 5 / 7).epsilon(1e-5));
+    CHECK(std::abs(world.bodies[1].position.dot(Vec3::UnitY().cross(way))) < 100 * tiny);
   }
 }

@@ -62,6 +62,20 @@ struct Watched {
 
 }  // namespace
 
+TEST_CASE("a mast's shape: upright at its foot, no moment at its top, and in balance between") {
+  CHECK(std::abs(mast_shape(0).slope) < (in_double ? Real(1e-9) : Real(1e-6)));  // the constant has nine digits
+  CHECK(mast_shape(0).aside == 0);
+  CHECK(mast_shape(1).aside == Approx(1));
+  const Real d = in_double ? Real(1e-4) : Real(0.02);
+  for (const Real up : {Real(0.1), Real(0.5), Real(0.9)}) {
+    const Real before = mast_shape(up - d).slope, here = mast_shape(up).slope, after = mast_shape(up + d).slope;
+    CHECK((after - 2 * here + before) / (d * d) ==
+          Approx(-greenhill * (1 - up) * here).epsilon(in_double ? 1e-6 : 0.01));
+    CHECK((mast_shape(up + d).aside - mast_shape(up - d).aside) / (2 * d) ==
+          Approx(here).epsilon(in_double ? 1e-6 : 0.01));
+  }
+}
+
 TEST_CASE("of boxes on springs the first column that does not come back is the first above Greenhill's height") {
   for (const int count : {4, 8, 16, 32}) {
     const Real w = stiffness_of(count), law = tallest_column(w);

@@ -100,6 +100,15 @@ struct Roller {
   }
 };
 /// The part of its speed that it gains from the first second to the third.
+template <class ContactSolver>
+Real gained_over(Real plank, int steps) {
+  Roller ball(plank);
+  ContactSolver solver;
+  ball.roll(solver, 1, steps);
+  const Real rolling = ball.speed();
+  ball.roll(solver, 2, steps);
+  return ball.speed() / rolling - 1;
+}
 
 }  // namespace
 
@@ -112,5 +121,77 @@ TEMPLATE_TEST_CASE("a ball that rolls over the ground keeps its speed, in steps 
     ball.roll(solver, 3, steps);
     INFO(steps << " substeps");
     CHECK(std::abs(ball.speed() / (Real(6) * 5 / 7) - 1) <= 1000 * eps);
+  }
+}
+
+// A light plank is pressed, and tilts, as the ball comes and goes, relaxed or not.
+TEMPLATE_TEST_CASE("a ball that rolls over a plank is not braked by relaxing", "", SoftSolver, SteadySolver) {
+  using NotRelaxed = Unrelaxed<Clamping, SoftContacts, Restitution, Friction, WarmStart>;
+  for (const Real plank : {Real(1e5), Real(100), Real(10)}) {  // kg
+    const Real gained = gained_over<TestType>(plank, 16), not_relaxed = gained_over<NotRelaxed>(plank, 16);
+    INFO("a plank of " << plank << " kg: " << gained << ", not relaxed " << not_relaxed);
+    CHECK(std::abs(gained - not_relaxed) <= Real(in_double ? 1e-6 : 1e-4));
+    if (plank >= 1000) CHECK(std::abs(gained) <= Real(in_double ? 1e-8 : 1e-4));
+  }
+}
+
+// Of m = (change of x_B - x_A) x n each arm takes a part: J V changes by -s m . w_A - (1 - s) m . w_B, which s can make
+// zero where the two have not the same sign.
+TEST_CASE("relaxing places a row at one point for both bodies, and there it reads the speed that it read before") {
+  Random random(9);
+  for (int i = 0; i < 1000; ++i) {
+    World world;
+    for (const bool second : {false, true}) {
+      Body body = random.moving_body(random.over_decades(1, 100));
+      if (!second && i % 3 == 0) body.fixed();
+      world.add(body);
+    }
+    Body &a = world.bodies[0], &b = world.bodies[1];
+    Contact contact;
+    contact.id = {0, 1, 0};
+    contact.point = random.vector(2);
+    world.contacts = {contact};
+    Rows rows = {{world, contact, random.direction(), 0}, {world, contact, random.direction(), 0}};
+    std::vector<Real> softness(1, 0);
+    RelaxingContext step{{world, world.contacts, rows, h}, softness};
+    SoftContacts soft;
+    soft.build(step);
+    soft.start(step);
+    const Vec3 apart = b.position - a.position;
+    const Real before[] = {rows[0].speed(), rows[1].speed()};
+    for (Body& body : world.bodies) body.position += h * body.velocity;
+    soft.relax(step);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const Row& row = rows[k];
+      const Vec3 m = (b.position - a.position - apart).cross(row.n);
+      const Real of_a = m.dot(a.angular_velocity), of_b = m.dot(b.angular_velocity);
+      const Real unavoidable = of_a * of_b > 0 ? 2 * std::min(std::abs(of_a), std::abs(of_b)) : 0;
+      REQUIRE((row.ra_n - row.rb_n - (b.position - a.position).cross(row.n)).norm() <= 64 * eps);
+      REQUIRE(std::abs(row.speed() - before[k]) <= unavoidable + 256 * eps);
+    }
+  }
+}
+
+// Beyond the depth where the cap binds, the contact is rigid and rises at the fastest push-out. Before it, the spring lets
+// through gamma / (K + gamma) of what the load adds to the speed in a step: so much further it may go, once.
+TEST_CASE("what a great load presses deep into the ground comes up no faster than the push-out, and sinks no further") {
+  const Real dt = h / 32;
+  for (const Real load : {Real(1e3), Real(1e4), Real(1e5), Real(1e6), Real(1e9)}) {  // kg, on a ball of 10 kg
+    World world;
+    Body& ball = ball_on_ground(world, Real(0.05));
+    world.forces.push_back({[load](World& pressed) { pressed.bodies[1].force.y() -= load * g; }});
+    SoftSolver solver;
+    const Real w = solver.angular_frequency(dt), stiff = dt * w * (2 * solver.damping_ratio + dt * w);  // K / gamma
+    const Real capped_from = solver.fastest_push_out * (2 * solver.damping_ratio + dt * w) / w;
+    const Real fall = (1 + load / 10) * g * dt;  // m/s, added in a step
+    const Real deepest = std::max(Real(0.05), capped_from + fall * dt / (1 + stiff)) + 64 * eps * (1 + fall * dt);
+    for (int step = 0; step < 32 * 120; ++step) {
+      const Real before = ball.position.y();
+      world.step(solver, dt, 1);
+      const Real depth = Real(0.3) - ball.position.y();
+      INFO(load << " kg, step " << step << ": " << 1000 * depth << " mm deep");
+      REQUIRE(ball.position.y() - before <= solver.fastest_push_out * dt + 64 * eps * (1 + fall * dt));
+      REQUIRE(depth <= deepest);
+    }
   }
 }

@@ -144,6 +144,59 @@ TEST_CASE("a wound rope's row is the derivative of what is left of it, however w
   }
 }
 
+TEST_CASE("what the clock brings is the mean of -f' over the step") {
+  const World world = a_wheel(1);
+  const auto f = [](Real t) { return std::sin(3 * t); };
+  const Real t = Real(0.7), mean = -(f(t + h) - f(t)) / h;
+  const Joint motor = motor_to_angle(world, the_world, 0, Vec3::UnitZ(), f, 7);
+  const Equation row = asked_by(motor, body_of(world, the_world), world.bodies[0], {t, h})[0];
+  CHECK(std::abs(row.bias - mean) < Real(1e-12));
+  CHECK(std::abs(row.error + f(t)) < Real(1e-14));
+  CHECK(row.lo == -7);
+  CHECK(row.hi == 7);
+  CHECK(motor.driven);
+  const auto length = [&](Real when) { return 2 + f(when); };
+  const Joint rod = piston(world, the_world, {0, 3, 0}, 0, {0, 1, 0}, length);
+  const Equation pushed = asked_by(rod, body_of(world, the_world), world.bodies[0], {t, h})[0];
+  CHECK(std::abs(pushed.bias - mean) < Real(1e-12));
+  CHECK(std::abs(pushed.error + f(t)) < Real(1e-14));
+  CHECK(rod.driven);
+}
+
+TEST_CASE("a limit lets through what does not reach it, stops what does exactly there, and lets it go again") {
+  World world = a_wheel(2);
+  world.joints.push_back(angle_limits(world, the_world, 0, Vec3::UnitZ(), -1, Real(0.5)));
+  world.bodies[0].spinning({0, 0, 2});
+  Solver<Joints, Clamping> solver;
+  for (int step = 1; step <= 14; ++step) {  // 14 steps of 2/60 rad are 0.467
+    world.step(solver, h);
+    CHECK(world.bodies[0].angular_velocity.z() == 2);
+  }
+  world.step(solver, h);
+  CHECK(std::abs(turn_of(world.bodies[0]) - Real(0.5)) < Real(1e-3));  // the turn of a step is a little less than h w
+  for (int step = 0; step < 100; ++step) world.step(solver, h);
+  CHECK(std::abs(turn_of(world.bodies[0]) - Real(0.5)) < Real(1e-12));
+  world.bodies[0].spinning({0, 0, Real(-0.5)});
+  world.step(solver, h);
+  CHECK(world.bodies[0].angular_velocity.z() == Real(-0.5));  // it does not suck
+  CHECK(solver.joint_rows().back().impulse == 0);
+}
+
+TEST_CASE("limits may be wider than half a turn, and lie anywhere: angles are seen from their middle") {
+  World world = a_wheel(2);
+  world.joints.push_back(angle_limits(world, the_world, 0, Vec3::UnitZ(), Real(-0.1), 5));
+  Solver<Joints, Clamping> solver;
+  Real turned = 0;
+  for (const Real end : {Real(5), Real(-0.1)}) {
+    world.bodies[0].spinning({0, 0, end > 0 ? Real(2) : Real(-2)});
+    for (int step = 0; step < 240; ++step) {
+      world.step(solver, h);
+      turned += 2 * std::atan(h * world.bodies[0].angular_velocity.z() / 2);
+    }
+    CHECK(std::abs(turned - end) < Real(1e-12));
+  }
+}
+
 TEST_CASE("limits push and never pull, whatever moves, and are kept") {
   Random random(4);
   Real beyond = 0, largest_impulse = 0;
@@ -190,6 +243,30 @@ TEST_CASE("limits never add energy, at any number of sweeps, as long as nothing 
     lost = std::max(lost, 1 - before / start);
   }
   CHECK(lost > Real(0.1));
+}
+
+TEST_CASE("a hinge or a socket that was broken beyond its limits comes back, from any side, and nothing is NaN") {
+  for (const Real angle : {Real(1e-9), Real(0.3), Real(1.5), Real(3.1), pi, Real(-3.1), Real(-1.5)}) {
+    for (int which = 0; which < 3; ++which) {
+      World world;
+      world.gravity.setZero();
+      world.add(sphere(Real(0.5), 3));
+      const Vec3 z = Vec3::UnitZ();
+      world.joints.push_back(which == 0 ? hinge(world, the_world, 0, Vec3::Zero(), z)
+                                        : ball_and_socket(world, the_world, 0, Vec3::Zero()));
+      world.joints.push_back(which == 0   ? angle_limits(world, the_world, 0, z, Real(-0.2), Real(0.2))
+                             : which == 1 ? cone_limit(world, the_world, 0, z, z, Real(0.2))
+                                          : twist_limits(world, the_world, 0, z, Real(-0.2), Real(0.2)));
+      world.bodies[0].turned(angle, which == 1 ? Vec3::UnitX() : z);
+      if (which == 2) world.bodies[0].turned(pi, Vec3::UnitX());  // where a twist is not known
+      JointedSolver solver;
+      for (int step = 0; step < 300; ++step) world.step(solver, h);
+      CAPTURE(angle, which);
+      for (const Equation& row : asked_by(world.joints[1], body_of(world, the_world), world.bodies[0]))
+        CHECK(c_of_limit(row, h) > Real(-1e-3));
+      CHECK(world.bodies[0].orientation.coeffs().allFinite());
+    }
+  }
 }
 
 TEST_CASE("a motor reaches its speed by its torque, and its impulse is h times it until then") {

@@ -39,6 +39,30 @@ TEST_CASE("a ragdoll has 28 ways to move: 6 as a whole, 3 in each of 6 sockets, 
   CHECK(66 - rank_of_joints(world) == 28);
 }
 
+TEST_CASE("however a ragdoll is turned, it is whole, within its limits, and does not touch itself") {
+  Random random(1);
+  for (int i = 0; i < 50; ++i) {
+    World world;
+    const Real angle = i == 0 ? 0 : random.between(-3, 3);
+    const Vec3 axis = random.direction();
+    const Ragdoll man = add_ragdoll(world, random.vector(3), Quat(Eigen::AngleAxis<Real>(angle, axis)));
+    CHECK(stretch(world, man) < Real(1e-15));
+    CHECK(bent_backwards(world, man) < Real(1e-15));
+    for (const Joint& joint : world.joints) {
+      for (const Equation& row : asked_by(joint, body_of(world, joint.a), body_of(world, joint.b)))
+        if (row.lo == 0) CHECK(row.error > Real(-1e-15));
+    }
+    world.find_contacts();
+    CHECK(world.contacts.empty());
+  }
+  World world;
+  const Ragdoll man = add_ragdoll(world, {0, ragdoll_hips_over, 0});
+  CHECK(std::abs(body_of(world, man.head).position.y() + Real(0.11) - ragdoll_height) < Real(0.02));
+  world.add(ground());
+  world.find_contacts();
+  for (const Contact& contact : world.contacts) CHECK(contact.depth < Real(1e-12));
+}
+
 TEST_CASE("a ragdoll falls down the stairs: it holds together, bends no knee backwards, and comes to rest") {
   for (const bool soft : {false, true}) {  // in substeps with soft contacts and a relaxing pass it holds far better
     World world;

@@ -81,6 +81,21 @@ TEST_CASE("joints at once: fifty links and a thousand times the mass of one, aft
   CHECK(largest_error(solver) <= (in_double ? Real(1e-10) : Real(1e-3)) * before);
 }
 
+TEST_CASE("joints at once: the speeds are those that sweeps go to") {
+  Random random(2);
+  for (int i = 0; i < 5; ++i) {
+    World one;
+    LoadedChain{6, 20}(one);
+    knock_all(one, random);
+    World other = one;
+    Swept swept;
+    AtOnce at_once;
+    one.step(at_once, h, 1);
+    other.step(swept, h, 20000);
+    CHECK(apart(one, other) < (in_double ? Real(1e-11) : Real(1e-3)));
+  }
+}
+
 TEST_CASE("joints at once: what rows that feed nothing back do to the energy is -|dV|^2 / 2, in masses, in one sweep") {
   Random random(4);
   for (const Real ratio : {Real(1), Real(1000)}) {

@@ -138,6 +138,29 @@ TEST_CASE("joint matrix: solves A x = b, in trees and with loops") {
   }
 }
 
+TEST_CASE("joint matrix: a row that is not taken is as if it were not there") {
+  Random random(3);
+  World world = random_trees(random, 12);
+  Asked asked(world);
+  const auto count = static_cast<Eigen::Index>(asked.rows.size());
+  std::vector<Eigen::Index> there;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    asked.taken[static_cast<std::size_t>(i)] = random.below(3) != 0;
+    if (asked.taken[static_cast<std::size_t>(i)]) there.push_back(i);
+  }
+  const Eigen::MatrixXd a = asked.dense();
+  JointMatrix matrix;
+  matrix.factor(asked.rows, asked.joints, asked.taken);
+  std::vector<double> x(asked.rows.size(), 1);
+  matrix.solve(x);
+  const Eigen::VectorXd expected = a(there, there).ldlt().solve(Eigen::VectorXd::Ones(std::ssize(there)));
+  for (Eigen::Index i = 0, k = 0; i < count; ++i) {
+    const auto place = static_cast<std::size_t>(i);
+    if (!asked.taken[place]) CHECK(x[place] == 0);
+    else CHECK(x[place] == Approx(expected[k++]).epsilon(in_double ? 1e-7 : 1e-2).margin(in_double ? 1e-9 : 1e-3));
+  }
+}
+
 TEST_CASE("joint matrix: what is added, taken or joined to another body is analysed anew") {
   Random random(4);
   JointMatrix kept;

@@ -117,3 +117,16 @@ TEST_CASE("plain chain: the impulses stop each joint from separating, in a chain
   }
   CHECK(largest() < (in_double ? Real(1e-11) : Real(1e-2)) * before);
 }
+
+TEST_CASE("plain chain: along a straight chain a joint feels i / (i + 1) m, and the hook all of the mass") {
+  for (const int weights : {2, 5, 21}) {
+    const HungChain chain = straight_chain(weights - 1, 1);
+    const std::vector<Mat3> mass = plain_18::factor(plain_18::matrix_of(chain.plain())).mass;
+    REQUIRE(mass.size() == static_cast<std::size_t>(weights));
+    for (int i = 1; i < weights; ++i) {
+      const Real felt = mass[static_cast<std::size_t>(weights - i)](1, 1);
+      CHECK(felt == Approx(static_cast<Real>(i) / static_cast<Real>(i + 1)).epsilon(100 * eps));
+    }
+    CHECK(mass[0](1, 1) == Approx(weights).epsilon(100 * eps));
+  }
+}

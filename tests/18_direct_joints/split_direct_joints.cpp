@@ -21,6 +21,46 @@ namespace {
 template <class JointEffect>
 using With = RelaxingSolver<JointEffect, Clamping, SoftContacts, SimultaneousImpacts, FrictionCone, ScaledWarmStart>;
 
+/// Planks on hinges between two posts, and a load of `ratio` of them; the air is thick.
+void loaded_bridge(World& world, Real ratio) {
+  constexpr int planks = 6;
+  constexpr Real length = Real(0.5), sag = Real(0.1);
+  const auto corner = [](int i) {
+    const Real x = static_cast<Real>(i) - Real(planks) / 2;
+    return Vec3(length * x, sag * x * x / 3, 0);
+  };
+  const auto post = [&](const Vec3& end, Real side) {
+    return world.add(box({Real(0.25), 1, Real(0.6)}, 1).fixed().at(end + Vec3(Real(0.25) * side, -1, 0)));
+  };
+  int before = post(corner(0), -1);
+  const int last = post(corner(planks), 1);
+  for (int i = 0; i < planks; ++i) {
+    const Vec3 along = corner(i + 1) - corner(i);
+    const int plank = world.add(box({along.norm() / 2, Real(0.04), Real(0.5)}, 1)
+                                    .turned(std::atan2(along.y(), along.x()), Vec3::UnitZ())
+                                    .at((corner(i) + corner(i + 1)) / 2));
+    world.joints.push_back(hinge(world, before, plank, corner(i), Vec3::UnitZ()));
+    world.forces.push_back(drag(plank, 4));
+    before = plank;
+  }
+  world.joints.push_back(hinge(world, before, last, corner(planks), Vec3::UnitZ()));
+  const int load = world.add(box(Vec3::Constant(Real(0.3)), ratio).at({0, Real(0.36), 0}));
+  world.forces.push_back(drag(load, 4 * ratio));
+}
+
+template <class JointEffect>
+Real speed_at_rest(Real ratio) {
+  World world;
+  loaded_bridge(world, ratio);
+  With<JointEffect> solver;
+  Real fastest = 0;
+  for (int step = 0; step < 720; ++step) {
+    substeps(world, solver, h, 8, 1);
+    if (step >= 660) fastest = std::max(fastest, largest_speed(world));
+  }
+  return fastest;
+}
+
 /// A ball on a rod without mass, let go from the horizontal: of the energy that the fall sets free, what `seconds` take.
 template <class JointEffect>
 Real lost_by_a_pendulum(int in_a_step, Real seconds) {
@@ -36,6 +76,15 @@ Real lost_by_a_pendulum(int in_a_step, Real seconds) {
 }
 
 }  // namespace
+
+TEST_CASE("split direct joints: what stands on jointed planks comes to rest, for contacts do not answer the push") {
+  for (const Real ratio : {Real(1), Real(10), Real(100)}) {
+    const Real split = speed_at_rest<SplitDirectJoints>(ratio), pushed = speed_at_rest<DirectJoints>(ratio);
+    INFO(ratio << ": " << split << " m/s, with the push among the contacts " << pushed << " m/s");
+    CHECK(split < (in_double ? Real(1e-4) : Real(1e-3)));
+    if (ratio == 100) CHECK(pushed > 10 * split);
+  }
+}
 
 TEST_CASE("split direct joints: what swings loses a tenth of what each substep's turn would take") {
   // A substep turns v by w h, and projects it: w^2 h T a second. A pendulum let go from the horizontal has a mean w^2 T of

@@ -154,6 +154,10 @@ TEST_CASE("random scenes move in the same bits, whatever they call for") {
   }
   play_seeds(in_substeps(), 1, 160, 2);
 }
+TEST_CASE("more random scenes", "[long]") {
+  play_seeds(full_solver(), 2001, 20000, 120);
+  play_seeds(in_substeps(), 161, 3200, 10);
+}
 
 TEST_CASE("a zero with a minus sign stays as it would") {
   World world;
@@ -307,4 +311,38 @@ TEST_CASE("the two lines of the page: a stack stands for ten seconds") {
   OnlyWhatIsNeeded needed(world, FullSolver{});  // or with Sleep{} as a third argument
   for (int step = 0; step < 600; ++step) needed.step(world, Real(1) / 60);
   CHECK(world.bodies.back().position.y() == Approx(2.5).margin(0.02));
+}
+
+TEST_CASE("what cannot be simulated is refused as World does, and nothing has moved") {
+  constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
+  World world;
+  stack(world, 2);
+  AnySolver full = full_solver().solver;
+  OnlyWhatIsNeeded solver = full_solver().fitting(world, {}), with_sleep = full_solver().fitting(world, Sleep{});
+  const auto refused_alike = [&](Real dt, int sweeps) {
+    const std::uint64_t before = hash_of(world);
+    const std::string said = complaint([&] { world.step(full, dt, sweeps); });
+    INFO(said);
+    CHECK_FALSE(said.empty());
+    for (OnlyWhatIsNeeded* each : {&solver, &with_sleep, &solver, &with_sleep})  // and once more
+      CHECK(complaint([&] { each->step(world, dt, sweeps); }) == said);
+    CHECK(hash_of(world) == before);
+    CHECK(world.time == 0);
+  };
+  refused_alike(0, 10);
+  refused_alike(nan, 10);
+  refused_alike(h, -1);
+  world.gravity.y() = nan;
+  refused_alike(h, 10);
+  world.gravity.y() = -1;
+  world.bodies[2].velocity.x() = nan;
+  refused_alike(h, 10);
+  world.bodies[2].velocity.x() = 0;
+  for (const int body : {-2, 3, 7}) {
+    world.joints = {ball_and_socket(world, the_world, 1, {0, 0, 0})};
+    world.joints.back().b = body;
+    refused_alike(h, 10);
+  }
+  world.joints.clear();
+  CHECK(complaint([&] { solver.step(world, h); }).empty());
 }

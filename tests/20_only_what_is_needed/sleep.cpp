@@ -167,6 +167,25 @@ TEST_CASE("who has kept its place for as long as it takes sleeps, and who has no
   CHECK(balls.asleep() == Bodies{0, 3});
 }
 
+TEST_CASE("nobody sleeps on what is moving, be it ever so slowly") {
+  World world;
+  world.add(box({1, 1, 1}, 1).fixed().at({0, -1, 0}).moving({Real(1e-4), 0, 0}));
+  world.add(cube().at({0, Real(0.499), 0}));
+  Dormitory platform(world);
+  for (int i = 0; i < 300; ++i) {
+    platform.step();
+    REQUIRE(platform.asleep().empty());
+  }
+  CHECK(platform.world.bodies[1].position.x() == Approx(5 * Real(1e-4)).epsilon(Real(0.05)));
+  platform.world.bodies[0].velocity.setZero();  // it has arrived
+  platform.step(120);
+  CHECK(platform.asleep() == Bodies{1});
+
+  platform.world.bodies[0].velocity.x() = Real(1e-4);
+  platform.step();
+  CHECK(platform.asleep().empty());
+}
+
 TEST_CASE("who is hit wakes with all of its island, at the moment it is hit, and the pile beside it sleeps on") {
   Dormitory piles = two_sleeping_piles();
   const World before = piles.world;
@@ -243,6 +262,17 @@ TEST_CASE("a joint that is driven keeps awake what it holds, and wakes it when i
   CHECK(five.asleep() == beside);
   five.world.joints[2].driven = false;
   five.step_until_asleep(all_five);
+}
+
+TEST_CASE("a spring that holds as it held lets sleep, and so does drag, and two of them on one body too") {
+  World world = two_piles();
+  world.forces = {spring(3, {0, 4, 0}, 50), drag(3, 10), spring(3, {Real(0.1), 3, 0}, 20), spring(6, {1, 4, 0}, 30)};
+  Dormitory piles(world);
+  piles.step_until_asleep(both);
+  const std::uint64_t before = hash_of(piles.world);
+  piles.step(200);
+  CHECK(piles.asleep() == both);
+  CHECK(hash_of(piles.world) == before);
 }
 
 TEST_CASE("a spring that starts to pull wakes the island that it pulls at, with all the forces on it") {

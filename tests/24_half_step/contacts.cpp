@@ -59,6 +59,20 @@ TEST_CASE("half step: a ball slides down from a smooth ball, keeps its energy, a
   CHECK(left == Approx(leaves).epsilon(0.03));
 }
 
+TEST_CASE("half step: solved exactly, stacks rest where they began") {
+  for (const int boxes : {1, 2, 5, 10}) {
+    CAPTURE(boxes);
+    World world;
+    stack(world, boxes);
+    const World begin = world;
+    HalfStep step;
+    for (int i = 0; i < 300; ++i) world.step(step, h);
+    for (std::size_t i = 0; i < world.bodies.size(); ++i)
+      CHECK((world.bodies[i].position - begin.bodies[i].position).norm() < (in_double ? Real(1e-11) : Real(1e-3)));
+  }
+  CHECK(error_of_contacts("heavy-on-light", 1) < (in_double ? 1e-11 : 1e-3));
+}
+
 TEST_CASE("half step: what rests is seen to rest, and nothing is solved") {
   for (const std::string name : {"stack-10", "pyramid-10"}) {
     CAPTURE(name);
@@ -143,6 +157,23 @@ TEST_CASE("half step: a ball bounces with e times its speed, and when it does is
   HalfStep step;
   slow.step(step, h);
   CHECK(slow.bodies[1].velocity.norm() < rounding);
+}
+
+TEST_CASE("half step: what meets as a substep ends, to rounding, bounces as well") {
+  for (const Real gap : {Real(0.2), Real(0.25), Real(0.3)}) {  // 4, 5 and 6 steps of 1/60 s
+    for (const int substeps : {1, 2, 3, 5, 8, 16, 32, 128}) {
+      World world;
+      world.gravity.setZero();
+      world.add(sphere(Real(0.1), 1).bouncy(Real(0.9)).moving({3, 0, 0}));
+      world.add(sphere(Real(0.1), 4).bouncy(Real(0.9)).at({Real(0.2) + gap, 0, 0}));
+      HalfStep solver;
+      solver.substeps = substeps;
+      for (int i = 0; i < 20; ++i) world.step(solver, Real(1) / 60);
+      INFO(gap << " m, " << substeps << " substeps");
+      CHECK(world.bodies[0].velocity.x() == Approx(-1.56));  // (m1 - e m2) / (m1 + m2) of 3 m/s
+      CHECK(world.bodies[1].velocity.x() == Approx(1.14));   // (1 + e) m1 / (m1 + m2)
+    }
+  }
 }
 
 TEST_CASE("half step: what overlaps comes out by a tenth in a hundredth of a second, and gains no speed by it") {

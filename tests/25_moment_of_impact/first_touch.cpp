@@ -57,6 +57,28 @@ TEST_CASE("impact: a gap is closed by moving so far along its normal, and not by
   CHECK(beyond > 1990);  // corners that meet may pass each other
 }
 
+TEST_CASE("impact: between round bodies and a plane, a gap is what collision detection says") {
+  Random random(26);
+  for (int i = 0; i < 500; ++i) {
+    CAPTURE(i);
+    Body plane = half_space(random.direction()).with_skin(Real(0.01));
+    Body a = any_shape(random).at(random.vector(3)), b = sphere(random.between(Real(0.1), 1), 1).at(random.vector(3));
+    plane.index = 0, a.index = 1, b.index = 2;
+    Contacts found;
+    const auto deepest = [&](const Body& p, const Body& q) {
+      found.clear();
+      collide(p, q, found, {.least = 100});
+      Real depth = -100;
+      for (const Contact& at : found) depth = std::max(depth, at.depth);
+      return depth;
+    };
+    CHECK(gap_between(plane, a).distance == Approx(-deepest(plane, a)).margin(1e-6));
+    CHECK((gap_between(plane, a).normal + gap_between(a, plane).normal).norm() < 100 * eps);
+    const Real depth = deepest(a, b);
+    if (depth < 0) CHECK(gap_between(a, b).distance == Approx(-depth).margin(1e-6));
+  }
+}
+
 TEST_CASE("impact: between boxes whose faces are parallel but for rounding, a gap is not lost") {
   if (!in_double) return;
   Random random(3);

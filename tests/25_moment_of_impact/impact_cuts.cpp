@@ -22,6 +22,16 @@ Real error_of_cut(const std::string& name) {
   const Motion& motion = motion_named(name);
   return largest_error(motion, motion.truth(motion.frames()), in_substeps(1, at_impacts()));
 }
+/// Balls of 1 kg in a row along x, with this much between them; the first one comes with 5 m/s. No gravity.
+World row_of_balls(int count, Real gap, Real e) {
+  World world;
+  world.gravity.setZero();
+  for (int i = 0; i < count; ++i)
+    world.add(sphere(Real(0.5), 1).at({(1 + gap) * static_cast<Real>(i), 0, 0}).bouncy(e).rough(0));
+  world.bodies[0].position.x() -= Real(0.05);
+  world.bodies[0].velocity.x() = 5;
+  return world;
+}
 /// A sheet of 1 mm, 1 m high and wide, upright at x = 0.
 Body sheet(Real mass) {
   return box({Real(0.0005), Real(0.5), Real(0.5)}, mass);
@@ -75,6 +85,23 @@ TEST_CASE("impact: infinitely many bounces take t (1 + e) / (1 - e), and then it
   CHECK(events == Approx(std::ceil(static_cast<double>(needed))).margin(1));
 }
 
+TEST_CASE("impact: a box that lands on an edge is held at its next one") {
+  for (const Real tilt : {Real(0.05), Real(0.2), Real(0.5)}) {
+    CAPTURE(tilt);
+    World world;
+    world.add(ground());
+    world.add(box(Vec3::Constant(Real(0.5)), 10).turned(tilt, Vec3::UnitZ()).at({0, Real(1.5), 0}));
+    HalfStep step = at_impacts();
+    Real deepest = 0;
+    for (int i = 0; i < 120; ++i) {
+      world.step(step, h);
+      for (const Vec3& corner : corners_of_core(world.bodies[1]))
+        deepest = std::max(deepest, -(world.bodies[1].position + world.bodies[1].orientation * corner).y());
+    }
+    CHECK(deepest < (in_double ? Real(1e-9) : Real(1e-4)));
+  }
+}
+
 TEST_CASE("impact: no bullet passes a fixed sheet, whatever its shape, its way and its spin") {
   if (!in_double) return;  // floats end at 1e-5 m, and at 1e-3 m/s
   Random random(7);
@@ -99,6 +126,30 @@ TEST_CASE("impact: no bullet passes a fixed sheet, whatever its shape, its way a
     }
     CHECK(events > 0);
   }
+}
+
+TEST_CASE("impact: a row of balls, in sequence and at the same time: the two differ just where all touch") {
+  for (const Impacts impacts : {Impacts::sequential, Impacts::simultaneous})
+    for (const Real gap : {Real(0), Real(0.001)}) {
+      World world = row_of_balls(5, gap, 1);
+      HalfStep step = at_impacts();
+      step.impacts = impacts;
+      int events = 0;
+      for (int i = 0; i < 6; ++i) {
+        world.step(step, h);
+        events += step.events();
+      }
+      const bool at_once = impacts == Impacts::simultaneous && gap == 0;
+      const auto expected = at_once ? std::array<Real, 5>{-3, 2, 2, 2, 2} : std::array<Real, 5>{0, 0, 0, 0, 5};
+      for (std::size_t i = 0; i < 5; ++i)
+        CHECK(world.bodies[i].velocity.x() == Approx(expected[i]).margin(in_double ? 1e-8 : 1e-3));
+      if (gap == 0) continue;
+      CHECK(events == 4);
+      // the speed of 5 m/s has been handed on: all gaps together are closed by somebody who has it
+      const Real handed = (Real(0.05) + 4 * gap) / 5;
+      CHECK(world.bodies[4].position.x() ==
+            Approx(4 * (1 + gap) + 5 * (6 * h - handed)).margin(in_double ? 1e-7 : 1e-3));
+    }
 }
 
 TEST_CASE("impact: balls in a box keep their energy, e = 1, and none gets out") {

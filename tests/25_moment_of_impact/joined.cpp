@@ -92,6 +92,26 @@ TEST_CASE("joined impact: a double pendulum that meets a wall is off by the squa
   CHECK(order({8, 16, 32, 64}, error) == Approx(2).margin(0.2));
 }
 
+TEST_CASE("joined impact: what is pressed to a wall comes to rest there, and bounces end") {
+  // The ball hangs beyond the wall: it would rest at 0, and the wall holds it at -30 degrees.
+  PendulumAtWall scene{.links = 0, .e = Real(0.5), .wall = Real(0.1)};
+  World world;
+  scene(world);
+  HalfStep step = in_parts(1);
+  int events = 0;
+  for (int i = 0; i < 180; ++i) {
+    world.step(step, h);
+    events += step.events();
+    CHECK_FALSE(step.bound_reached());
+  }
+  // Ends where gravity could bring it back for ever within a step: 2 u <= g h (1 - e).
+  const double angle = touching_angle(scene),
+               meets = speed_at(angle) * static_cast<double>(PendulumAtWall::radius) * std::cos(angle);
+  CHECK(events == std::ceil(std::log(truth::g * static_cast<double>(h) / (4 * meets)) / std::log(0.5)));
+  CHECK(world.bodies[0].velocity.norm() < (in_double ? Real(1e-8) : Real(1e-3)));
+  CHECK(angle_of(world) == Approx(angle).margin(in_double ? 1e-7 : 1e-3));
+}
+
 TEST_CASE("joined impact: two dumbbells that meet keep momentum, angular momentum and energy") {
   for (const bool of_rods : {false, true}) {
     World world;
@@ -117,6 +137,27 @@ TEST_CASE("joined impact: two dumbbells that meet keep momentum, angular momentu
     CHECK((angular_momentum(world) - l).norm() < 100 * rounding);
     CHECK(kinetic_energy(world) == Approx(begin).epsilon(in_double ? 1e-5 : 1e-3));
   }
+}
+
+TEST_CASE("joined impact: the joint bears its part of an impact, and says so") {
+  // A rod from a pin down to a ball, which the wall stops: e = 0. Both have their part of the ball's momentum.
+  World world;
+  world.gravity.setZero();
+  const Vec3 along = Vec3(1, -1, 0).normalized();
+  const int ball = world.add(sphere(Real(0.1), 2).at(along).moving(3 * Vec3(1, 1, 0).normalized()).rough(0));
+  world.bodies[0].principal_inverse_inertia.setZero();
+  world.add(half_space(-Vec3::UnitX()).at({along.x() + Real(0.1), 0, 0}).rough(0));
+  world.joints.push_back(distance(world, the_world, Vec3::Zero(), ball, along));
+  HalfStep step = in_parts(1);
+  world.step(step, h);
+  CHECK(step.events() == 1);
+  CHECK(step.taken() == Approx(2 * 9 / 2.0).epsilon(in_double ? 1e-9 : 1e-4));  // m v^2 / 2, all of it
+  CHECK(world.bodies[0].velocity.norm() < rounding);
+  // m v + L along n + l along the rod = 0:  n = -x, rod = (1, -1) / sqrt(2), v = 3 (1, 1) / sqrt(2)
+  //   y: 6 / sqrt(2) - l / sqrt(2) = 0,  l = 6;     x: 6 / sqrt(2) - L + l / sqrt(2) = 0,  L = 12 / sqrt(2)
+  REQUIRE(world.contacts.size() == 1);
+  CHECK(world.contacts[0].impulse.norm() == Approx(12 / std::sqrt(2.0)).epsilon(in_double ? 1e-9 : 1e-4));
+  CHECK(std::abs(world.joints[0].impulses[0]) == Approx(6).epsilon(in_double ? 1e-9 : 1e-4));
 }
 
 TEST_CASE("joined impact: what impacts take of the energy is the part 1 - e^2, and what is held is known") {

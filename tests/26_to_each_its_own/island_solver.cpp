@@ -28,6 +28,12 @@ Real error_by_island(const std::string& name) {
   solver.substep_solver.threshold = solver.contact_half_step.threshold = 0;
   return half_step_scenes::largest_error(motion, motion.truth(motion.frames()), solver);
 }
+/// Few contacts have half steps, many have not.
+IslandSolver without_savings() {
+  IslandSolver solver;
+  solver.budget.at_first = solver.budget.fraction = 0;
+  return solver;
+}
 auto bits(Real number) {
   return std::bit_cast<std::conditional_t<in_double, std::uint64_t, std::uint32_t>>(number);
 }
@@ -115,6 +121,28 @@ TEST_CASE("by island: the page's two lines") {
   CHECK(solver.step_of(0) == StepType::none);
   CHECK(solver.step_of(1) == StepType::flight);
   CHECK(solver.step_of(2) == StepType::none);
+}
+
+TEST_CASE("by island: what flies is on its parabola, and keeps its angular momentum and the energy of its spin") {
+  World world;
+  const Vec3 from{1, 2, 3}, thrown{3, 9, -2};
+  world.add(box({1, Real(0.5), Real(0.2)}, 10).at(from).moving(thrown).spinning({1, 4, 2}));
+  const Vec3 spin = spin_momentum(world.bodies[0]);
+  const auto energy_of_spin = [&] { return world.bodies[0].angular_velocity.dot(spin_momentum(world.bodies[0])) / 2; };
+  const Real begin = energy_of_spin();
+  Real off = 0;
+  IslandSolver solver;
+  for (int i = 1; i <= 180; ++i) {
+    world.step(solver, h);
+    REQUIRE(solver.step_of(0) == StepType::flight);
+    const Real t = static_cast<Real>(i) * h;
+    const Body& body = world.bodies[0];
+    CHECK((body.position - (from + t * thrown + t * t / 2 * world.gravity)).norm() < 1000 * eps * 60);
+    CHECK((body.velocity - (thrown + t * world.gravity)).norm() < 1000 * eps * 30);
+    CHECK((spin_momentum(body) - spin).norm() < 1000 * eps * spin.norm());
+    off = std::max(off, std::abs(energy_of_spin() / begin - 1));
+  }
+  CHECK(off < 1e-3);  // of the turn's second order, and it does not grow
 }
 
 TEST_CASE("by island: an island moves in the same bits whatever other islands there are, in whatever order") {
@@ -220,6 +248,50 @@ TEST_CASE("by island: joints come back in their order, with what they bore") {
   check(1, "second, upper", the_world, 2, 10);
   check(2, "second, lower", 2, 3, 7);
   check(3, "first, upper", the_world, 0, 21);
+}
+
+TEST_CASE("by island: what many alone has to move is moved as by many alone, to the bit") {
+  const auto compare = [](const std::function<void(World&)>& fill) {
+    World by_island, by_many;
+    fill(by_island);
+    fill(by_many);
+    IslandSolver solver = without_savings();
+    solver.limits.most_detections = 1;  // as `many` alone
+    WideSolver<Real> many;
+    for (int i = 0; i < 60; ++i) {
+      by_island.step(solver, h);
+      by_many.step(many, h);
+      REQUIRE(state_of(by_island) == state_of(by_many));
+    }
+  };
+  compare([](World& world) { stack(world, 10); });
+  compare([](World& world) { pyramid(world, 5); });
+  compare([](World& world) {
+    pyramid(world, 4);
+    const int bar = world.add(box({1, Real(0.1), Real(0.1)}, 10).at({21, 5, 0}));
+    world.joints = {ball_and_socket(world, the_world, bar, {20, 5, 0}),
+                    angle_limits(world, the_world, bar, Vec3::UnitZ(), Real(-0.5), Real(0.5))};
+  });
+}
+
+TEST_CASE("by island: contacts are detected again where bodies tumble, so a heap that falls overlaps less") {
+  const auto deepest = [](int most_detections) {
+    World world = falling_heap();
+    IslandSolver solver;
+    solver.limits.most_detections = most_detections;
+    Real most = 0;
+    for (int i = 0; i < 120; ++i) {
+      world.step(solver, h);
+      World seen = world;
+      seen.find_contacts();
+      for (const Contact& contact : seen.contacts) most = std::max(most, contact.depth);
+    }
+    return most;
+  };
+  const Real once = deepest(1), again = deepest(4);
+  UNSCOPED_INFO("mm, detected once and again: " << 1000 * once << ", " << 1000 * again);
+  CHECK(again < once / 2);
+  CHECK(again < Real(0.03));
 }
 
 TEST_CASE("by island: the end of a rod that spins meets what its middle never comes near, at its instant") {

@@ -181,6 +181,21 @@ TEST_CASE("steps: the answers are the steps that Recommended then takes, and ask
     CHECK(answered[static_cast<int>(step)] > 50);
 }
 
+TEST_CASE("steps: islands with the same answer are one line, others are not") {
+  World world = stack_of(3);
+  for (int i = 1; i < 4; ++i) world.add(cube().at({3 * static_cast<Real>(i), Real(0.5), 0}));
+  for (int i = 0; i < 2; ++i) world.add(small_ball().at({static_cast<Real>(i), 9, 0}));
+  const std::vector<StepAnswer> answers = steps_of(world);
+  REQUIRE(answers.size() == 3);
+  const auto is = [](const StepAnswer& answer, const std::string& step, int islands, const std::vector<int>& bodies) {
+    return name_of(answer.step) == step && answer.islands == islands && answer.bodies == bodies;
+  };
+  CHECK(is(answers[0], "half steps", 1, {1, 2, 3}));
+  CHECK(is(answers[1], "half steps", 3, {4, 5, 6}));
+  CHECK(is(answers[2], "flight", 2, {7, 8}));
+  CHECK(steps_of(World{}).empty());
+}
+
 TEST_CASE("steps: chapter 26's page shows those of the yard after 0.6 s") {
   World yard;
   to_each_its_own_scenes::Yard{}(yard);

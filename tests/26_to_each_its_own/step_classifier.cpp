@@ -61,3 +61,65 @@ TEST_CASE("calls: one that is near the limit stays what it is") {
   calls.leave_to_substeps(1, StepReason::failed);
   CHECK_FALSE(many(8));
 }
+
+TEST_CASE("calls: many contacts have half steps while nothing arrives and nothing turns fast, few in any case") {
+  World world = standing(1);
+  StepClassifier calls;
+  const ClassifierLimits limits;
+  const auto call = [&](int contacts, Real turn, Real arrives) {
+    world.bodies[1].angular_velocity = {0, turn / h, 0};
+    world.bodies[1].velocity = {0, -arrives, 0};
+    calls.leave_to_substeps(1, StepReason::failed);
+    find(calls, world, below_the_first(contacts, -Real(1e-4)));
+    return calls.step_of(1);
+  };
+  calls.classify(world, {}, h, threshold, limits);
+  for (const int contacts : {8, 9, 100}) {
+    CAPTURE(contacts);
+    const StepType else_by = contacts > 8 ? StepType::substeps : StepType::half_steps;
+    CHECK(call(contacts, limits.turn * Real(0.99), 0) == StepType::half_steps);
+    CHECK(call(contacts, limits.turn * Real(1.01), 0) == else_by);
+    CHECK(call(contacts, 0, threshold * Real(0.9)) == StepType::half_steps);
+    CHECK(call(contacts, 0, 2) == else_by);
+    CHECK(calls.impact(1));
+  }
+}
+
+TEST_CASE("calls: the ground joins nobody, a contact between two that move does, and both have its many contacts") {
+  const World world = standing(3);
+  Contacts contacts;
+  for (std::uint32_t body = 1; body <= 3; ++body)
+    for (std::uint32_t i = 0; i < 4; ++i) contacts.push_back(contact_of(0, body, i));
+  StepClassifier calls;
+  find(calls, world, contacts);
+  for (int body = 1; body <= 3; ++body) {
+    CHECK(calls.island_of(body) == body);
+    CHECK(calls.step_of(body) == StepType::half_steps);
+  }
+  StepClassifier anew;
+  contacts.push_back(contact_of(1, 2, 0));
+  find(anew, world, contacts);
+  CHECK(anew.island_of(2) == 1);
+  CHECK(anew.contacts(1) == 9);
+  CHECK(anew.contacts(3) == 4);
+  CHECK(anew.many_contacts(1));  // nobody had half steps
+  CHECK_FALSE(anew.many_contacts(3));
+  find(calls, world, contacts);  // both had half steps
+  CHECK_FALSE(calls.many_contacts(1));
+}
+
+TEST_CASE("calls: what arrives slower than the threshold, or rests, is no impact") {
+  World world = standing(1);
+  StepClassifier calls;
+  const auto impact = [&](Real speed, Real gap) {
+    world.bodies[1].velocity.y() = -speed;
+    find(calls, world, below_the_first(1, -gap));
+    return calls.impact(1);
+  };
+  CHECK(impact(1, Real(0.01)));
+  CHECK_FALSE(impact(Real(0.09), Real(0.001)));
+  CHECK_FALSE(impact(0, 0));
+  CHECK_FALSE(impact(Real(0.15), 0));  // less than a step's fall, and it touches already
+  CHECK(impact(Real(0.15), Real(1e-4)));
+  CHECK_FALSE(impact(1, Real(0.5)));  // not in this step
+}

@@ -41,7 +41,59 @@ double price_of_substeps(const World& world, const IslandSolver& solver) {
   return price;
 }
 
+/// For ten seconds, from a start that is a little off.
+void rests(int boxes, int start) {
+  CAPTURE(boxes, start);
+  World world;
+  stack(world, boxes);
+  Random random(static_cast<std::uint64_t>(start));
+  for (Body& body : world.bodies)
+    if (body.movable()) body.position += random.vector(Real(1e-6));
+  IslandSolver solver;
+  int by_half_steps = 0;
+  for (int i = 0; i < 600; ++i) {
+    world.step(solver, h);
+    for (const Body& body : world.bodies) by_half_steps += solver.step_of(body.index) == StepType::half_steps;
+  }
+  CHECK(by_half_steps == 600 * boxes);
+  Real fastest = 0;
+  for (const Body& body : world.bodies)
+    fastest = std::max({fastest, body.velocity.norm(), body.angular_velocity.norm()});
+  CHECK(fastest < (in_double ? Real(1e-9) : Real(1e-3)));  // m/s, rad/s
+}
+
 }  // namespace
+
+TEST_CASE("savings: they are shared out equally, and bounded; nobody has debts; who fails is to need more next time") {
+  WorkBudget island;
+  for (const double saved : {100.0, 20.0, 0.0}) island.add(WorkBudget(saved));
+  for (int i = 0; i < 3; ++i) CHECK(island.share().saved() == 40);
+  WorkBudget failed(1000);
+  CHECK(failed.can_pay(1000));
+  failed.fail(10, 20);
+  CHECK_FALSE(failed.can_pay(900));
+  failed.succeed(0, 1e9);
+  CHECK(failed.can_pay(900));
+
+  WorkBudget purse(50);
+  purse.save(30, 100);
+  CHECK(purse.saved() == 80);
+  purse.save(30, 100);
+  CHECK(purse.saved() == 100);
+  purse.save(30, 60);  // fewer contacts than before
+  CHECK(purse.saved() == 100);
+  purse.succeed(-150, 100);
+  CHECK(purse.saved() == 0);
+  purse.save(5, 100);
+  purse.fail(7, 20);
+  CHECK(purse.saved() == 0);
+  CHECK_FALSE(purse.can_pay(1));
+}
+
+TEST_CASE("by island: stacks have half steps all the time, and rest") {
+  for (const int boxes : {10, 40})
+    for (int start = 1; start <= 3; ++start) rests(boxes, start);
+}
 
 TEST_CASE("by island: what half steps take of a heap that falls and comes to rest is bounded by what substeps take") {
   double overrun = 0;

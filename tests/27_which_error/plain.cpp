@@ -76,3 +76,11 @@ TEST_CASE("plain estimates: of bars, halves say less than a third of the error f
   CHECK(past_halves > bars / 8);
   CHECK(past_twin < bars / 16);
 }
+
+TEST_CASE(
+    "plain estimates: the error of the page's bar exceeds what halves say nine times, and what its twin says by less "
+    "than 2") {
+  const Largest of = largest_of({1, 0, Real(0.7), 0});
+  CHECK(of.error / of.halves == Approx(9.4).margin(0.2));
+  CHECK(of.error < 2 * of.twin);
+}

@@ -83,3 +83,30 @@ TEST_CASE("within an error: chains let go at any angles, of which some whip so t
     CHECK(tally.flagged <= (least ? tally.scenes * 3 / 8 : tally.scenes / 7));
   }
 }
+
+TEST_CASE("within an error: balls on a billiard table") {
+  Tallies tallies;
+  Random random(29);
+  for (int i = 0; i < 40; ++i) {
+    constexpr Real radius = Real(0.1), apart = Real(0.3), moved = Real(0.04);
+    const Real e = random.between(Real(0.8), 1);
+    World world;
+    Places at, velocities;
+    for (int ball = 0; ball < 12; ++ball) {
+      Vec3 place = Vec3(static_cast<Real>(ball % 4), 0, static_cast<Real>(ball / 4)) * apart + random.vector(moved);
+      Vec3 velocity = ball % 3 == 0 ? random.vector(3) : Vec3::Zero();
+      place.y() = radius;
+      velocity.y() = 0;
+      world.add(sphere(radius, 1).at(place).moving(velocity).rough(0).bouncy(e));
+      at.push_back(place.cast<double>());
+      velocities.push_back(velocity.cast<double>());
+    }
+    world.add(ground().rough(0).bouncy(e));
+    play(world, truth::places_of_colliding(at, velocities, double(radius), double(e), 60), tallies);
+  }
+  for (const Tally& tally : tallies) {
+    INFO(tally.within << " within it, " << tally.flagged << " flagged, " << tally.missed_unsaid << " missed unsaid");
+    CHECK(tally.within == 40);
+    CHECK(tally.flagged == 0);
+  }
+}

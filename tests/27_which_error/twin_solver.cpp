@@ -19,6 +19,7 @@ using namespace pushback;
 using namespace pushback::which_error_tests;
 using half_step_scenes::Top;
 using moment_of_impact_scenes::PendulumAtWall;
+using to_each_its_own_scenes::Chain;
 using to_each_its_own_scenes::Yard;
 
 namespace {
@@ -132,6 +133,33 @@ TEST_CASE("within an error: what is said of bars that bounce, and of a pendulum,
     INFO("seed " << seed);
     check(thrown_bar(seed));
   }
+}
+
+TEST_CASE("within an error: an error grows from impact to impact, and the twin sees it") {
+  World world = thrown_bar(23);
+  const std::vector<Places> truth = places_cut_at_impacts(world, 60);
+  const Fared first = fare(world, Real(1e-3), {truth.begin(), truth.begin() + 30}),
+              all = fare(world, Real(1e-3), truth);
+  const Real grown = all.last_off / first.last_off;
+  CHECK(grown > 10);
+  CHECK(all.last_said / first.last_said == Approx(grown).epsilon(0.2));
+}
+
+TEST_CASE("within an error: a chain that whips is said to be lost, and keeps its energy nevertheless") {
+  World world = filled(Chain{});
+  Recommended solver = within(Real(1e-3));
+  Real mass = 0;
+  for (const Body& body : world.bodies) mass += 1 / body.inverse_mass;
+  int first_lost = 0;
+  for (int step = 1; step <= 300; ++step) {
+    const Real kinetic = kinetic_energy(world), before = kinetic + potential_energy(world);
+    world.step(solver, h);
+    if (first_lost == 0 && !said_of(world, solver).kept) first_lost = step;
+    const Real all = std::max(kinetic, kinetic_energy(world)) + mass * (h * world.gravity).squaredNorm() / 2;
+    CHECK(std::abs(kinetic_energy(world) + potential_energy(world) - before) < Real(1.01) * solver.energy * all);
+  }
+  CHECK(first_lost > 40);  // it whips in the 43rd step
+  CHECK(first_lost < 60);
 }
 
 TEST_CASE("within an error: where many slide in substeps, their number gives what they are off, and what is said") {
@@ -250,6 +278,30 @@ TEST_CASE("within an error: with a body that is lost, all that it touches begin 
     CHECK(solver.error_of(below).place < solver.error);
   }
   CHECK(said_of(world, solver).kept);  // all rest
+}
+
+TEST_CASE("within an error: a twin whose places are no numbers begins again, and its world goes on") {
+  World world = pendulum(1);
+  world.forces.push_back({[calls = std::make_shared<int>(0)](World& its) {  // the first call is for the twin
+    if ((*calls)++ == 0) its.bodies[0].force.x() = std::numeric_limits<Real>::quiet_NaN();
+  }});
+  Recommended solver = within(Real(1e-3));
+  for (int i = 0; i < 3; ++i) {
+    world.step(solver, h);
+    CHECK_FALSE(solver.error_of(0).kept);
+  }
+}
+
+TEST_CASE("within an error: a solver that steps two worlds in turn knows what is wrong in one step") {
+  World worlds[] = {pendulum(1), pendulum(Real(-0.5))};
+  Recommended solver = within(Real(1e-3));
+  for (int i = 0; i < 60; ++i)
+    for (World& world : worlds) {
+      world.step(solver, h);
+      CHECK(said_of(world, solver).kept);
+      CHECK(said_of(world, solver).place < Real(1e-5));
+    }
+  CHECK(farthest(places_of(worlds[0]), places_cut_at_impacts(pendulum(1), 60).back()) < Real(1e-4));
 }
 
 TEST_CASE("within an error: what does not move by itself has no error, and carries what does") {

@@ -98,6 +98,20 @@ TEST_CASE("the inverse inertia in world axes is R I^-1 R^T after every move") {
   }
 }
 
+TEST_CASE("an immovable body has neither inverse mass nor inverse inertia, and stays") {
+  World world;
+  world.add(box({1, 1, 1}, 1).fixed());
+  world.add(ground());
+  NoSolver none;
+  for (int step = 0; step < 10; ++step) world.step(none, Real(0.1));
+  for (const Body& body : world.bodies) {
+    REQUIRE(!body.movable());
+    REQUIRE(body.inverse_inertia.isZero(0));
+    REQUIRE(body.position.isZero(0));
+    REQUIRE(body.velocity.isZero(0));
+  }
+}
+
 TEST_CASE("the builders refuse lengths and masses that are not finite numbers above 0") {
   for (const Real bad : {Real(0), Real(-1), infinity, not_a_number}) {
     const std::string number = fmt::format("{}", bad);
@@ -295,6 +309,21 @@ TEST_CASE("a box spun about its middle axis keeps momentum and energy, and flips
   const int fine = flips(Real(1) / 9600, 96000, false);
   REQUIRE(fine >= 3);
   REQUIRE(coarse == fine);
+}
+
+TEST_CASE("a box spun about its long or its short axis does not flip") {
+  for (const int axis : {0, 2}) {
+    World world;
+    world.gravity.setZero();
+    Vec3 spin = Vec3::Constant(Real(0.01));
+    spin[axis] = 5;
+    world.add(box({Real(0.5), 1, 2}, 3).spinning(spin));
+    NoSolver none;
+    for (int i = 0; i < 600; ++i) {
+      world.step(none, Real(1) / 60, 0);
+      REQUIRE((world.bodies[0].orientation * Vec3::Unit(axis))[axis] > Real(0.99));
+    }
+  }
 }
 
 TEST_CASE("the shortest turn takes one direction to another, about an axis perpendicular to both") {

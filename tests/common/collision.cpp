@@ -370,6 +370,26 @@ TEST_CASE("moving b out by the deepest depth separates the pair, and nothing sho
   }
 }
 
+TEST_CASE("pairs with a gap have no contacts, pairs without one have some") {
+  Random random(seed);
+  for (const Kind kind_a : convex) {
+    for (const Kind kind_b : convex) {
+      for (int i = 0; i < 150; ++i) {
+        Body a = shape_of(kind_a, random), b = shape_of(kind_b, random);
+        a.orientation = random.orientation();
+        b.orientation = random.orientation();
+        a.position.setZero();
+        const Real distance = random.between(Real(0.2), Real(2.5));
+        b.position = distance * random.direction();
+        const Real overlap = least_overlap(a, b, random);
+        INFO("shapes " << kind_a << " and " << kind_b << ", overlap " << overlap);
+        if (overlap < -10 * tight) REQUIRE(contacts_of(a, b).empty());
+        if (overlap > Real(2e-3)) REQUIRE(!contacts_of(a, b).empty());
+      }
+    }
+  }
+}
+
 TEST_CASE("contact points lie in both shapes, midway between their surfaces") {
   for_random_contacts(300, [](Body& a, Body& b, const Contacts& contacts, Random&) {
     if (deepest(contacts) > Real(0.1)) return;  // deeper, the midpoint may lie beyond the far side of a small shape
@@ -470,6 +490,25 @@ TEST_CASE("far from the origin the depth is as exact as the positions are") {
     const Contacts again = contacts_of(near_a, near_b), far_again = contacts_of(far_a, far_b);
     REQUIRE(again.size() == far_again.size());
     for (std::size_t i = 0; i < again.size(); ++i) REQUIRE(again[i].depth == far_again[i].depth);
+  });
+}
+
+TEST_CASE("names do not change when the pair trembles") {
+  const Real tremble = std::max(Real(1e-9), 4 * eps);
+  for_random_contacts(100, [&](Body& a, Body& b, const Contacts& contacts, Random& random) {
+    for (int i = 0; i < 5; ++i) {
+      Body other_a = a, other_b = b;
+      jitter(other_a, random, tremble);
+      jitter(other_b, random, tremble);
+      const Contacts now = contacts_of(other_a, other_b);
+      for (const Contact& c : contacts) {  // what is not about to lift off is still there, under its name
+        if (c.depth < 100 * tremble) continue;
+        const bool still = std::any_of(now.begin(), now.end(), [&](const Contact& d) {
+          return d.id == c.id && (d.point - c.point).norm() < 1000 * tremble + Real(1e-6);
+        });
+        REQUIRE(still);
+      }
+    }
   });
 }
 

@@ -1,10 +1,13 @@
 // Images, text, and what can be seen in a picture.
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "pushback/common/basics/input.h"
 #include "pushback/common/render/canvas.h"
@@ -12,6 +15,7 @@
 #include "pushback/common/render/painter.h"
 #include "pushback/common/render/palette.h"
 #include "tests/support/call.h"
+#include "tests/support/colour_blind.h"
 
 using namespace pushback;
 
@@ -25,6 +29,10 @@ int differences(const Image& a, const Image& b) {
     if (a.pixels[i] != b.pixels[i] || a.pixels[i + 1] != b.pixels[i + 1] || a.pixels[i + 2] != b.pixels[i + 2]) ++count;
   }
   return count;
+}
+
+Solid floor_at_zero() {
+  return {HalfSpace{Vec3(0, 1, 0)}, Vec3::Zero(), Quat::Identity(), fixed_colour()};
 }
 
 Picture ball_in_the_air() {
@@ -105,6 +113,31 @@ TEST_CASE("a red ball in front of the camera is red in the middle, with the back
   }
 }
 
+TEST_CASE("the same picture is the same bytes, whoever draws it and whatever was drawn before") {
+  Picture picture = ball_in_the_air();
+  picture.solids.push_back(floor_at_zero());
+  picture.arrows.push_back({Vec3(0, 0, 0), Vec3(0, 2, 0), Real(0.05), normal_arrow_colour()});
+  picture.dots.push_back({Vec3(0, 0, 0), Real(0.05), contact_colour(ContactState::warm)});
+  Painter first(120, 68), second(120, 68);
+  const Image once = first.draw(picture);
+  const Image still = first.draw_still(picture, 3);
+  CHECK(differences(first.draw(picture), once) == 0);
+  CHECK(differences(second.draw(picture), once) == 0);
+  CHECK(differences(second.draw_still(picture, 3), still) == 0);
+}
+
+TEST_CASE("a slanted half-space is seen from outside and not from inside") {
+  Painter painter(160, 90);
+  Picture picture;
+  picture.camera = {Vec3(0, 3, 8), Vec3::Zero(), Real(0.6)};
+  const Image empty = painter.draw(picture);
+  const Vec3 normal = Vec3(Real(-0.4), 1, 0).normalized();
+  picture.solids.push_back({HalfSpace{normal}, Vec3::Zero(), Quat::Identity(), fixed_colour()});
+  CHECK(differences(painter.draw(picture), empty) > 2000);
+  picture.solids[0] = {HalfSpace{-normal}, Vec3::Zero(), Quat::Identity(), fixed_colour()};
+  CHECK(differences(painter.draw(picture), empty) == 0);
+}
+
 TEST_CASE("a world that blew up can still be drawn") {
   Painter painter(64, 36);
   Picture picture = ball_in_the_air();
@@ -130,4 +163,28 @@ TEST_CASE("a camera that looks at nothing is refused") {
   CHECK_THROWS_AS(painter.draw(picture), InvalidInput);
   picture.camera = Camera();
   CHECK_THROWS_AS(painter.draw_still(picture, 0), InvalidInput);
+}
+
+TEST_CASE("what contacts, arrows and bodies are coloured stays apart for the colour-blind") {
+  const std::array states{contact_ink(ContactState::fresh), contact_ink(ContactState::warm),
+                          contact_ink(ContactState::sliding), contact_ink(ContactState::sticking)};
+  const std::array arrows{normal_arrow_ink(), friction_arrow_ink()};
+  std::vector<Ink> bodies{asleep_ink(), fixed_ink()};
+  for (int i = 0; i < 6; ++i) bodies.push_back(body_ink(i));
+  for (const Mat3& eyes : ways_to_see()) {
+    CHECK(apart(arrows[0], arrows[1], eyes) > 34);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      for (std::size_t k = 0; k < i; ++k) CHECK(apart(states[i], states[k], eyes) > 44);
+      for (const Ink arrow : arrows) CHECK(apart(states[i], arrow, eyes) > 19);  // chapter 22 has a set in each
+    }
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      INFO("body " << i);
+      for (const Ink state : states) CHECK(apart(state, bodies[i], eyes) > 19);
+      for (const Ink arrow : arrows) CHECK(apart(arrow, bodies[i], eyes) > 19);
+      for (std::size_t k = 0; k < i; ++k)
+        CHECK(apart(bodies[i], bodies[k], eyes) > 13);  // they are lit and shaded, too
+    }
+    for (const auto& [one, other] : {std::pair{body_ink(3), near_black_ink()}, {body_ink(2), asleep_ink()}})
+      CHECK(apart(one, other, eyes) > 60);  // what strips tell apart: new and missing contacts, awake and asleep
+  }
 }
