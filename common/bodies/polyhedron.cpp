@@ -21,6 +21,33 @@ Vec3 doubled_area(const std::vector<Vec3>& corners, const std::vector<int>& loop
   return sum;
 }
 
+/// Computes all normals, offsets and half-widths. The corners are given, and for each face and edge the numbers of its corners.
+void measure(Polyhedron& solid) {
+  solid.half_width = std::numeric_limits<Real>::max();
+  for (Polyhedron::Face& face : solid.faces) {
+    face.normal = doubled_area(solid.corners, face.corners).normalized();
+    face.offset = 0;
+    for (const int i : face.corners) {
+      face.offset += face.normal.dot(solid.corners[std::size_t(i)]) / Real(face.corners.size());
+    }
+    Real lowest = face.offset;
+    for (const Vec3& corner : solid.corners) lowest = std::min(lowest, face.normal.dot(corner));
+    solid.half_width = std::min(solid.half_width, (face.offset - lowest) / 2);
+  }
+  for (Polyhedron::Face& face : solid.faces) {
+    face.half_width = std::numeric_limits<Real>::max();
+    for (const int e : face.edges) {
+      const Polyhedron::Edge& edge = solid.edges[std::size_t(e)];
+      const Vec3& start = solid.corners[std::size_t(edge.from)];
+      const Vec3 along = (solid.corners[std::size_t(edge.to)] - start).normalized();
+      Real width = 0;
+      for (const int i : face.corners)
+        width = std::max(width, along.cross(solid.corners[std::size_t(i)] - start).norm());
+      face.half_width = std::min(face.half_width, width / 2);
+    }
+  }
+}
+
 }  // namespace
 
 Polyhedron polyhedron(const std::vector<Vec3>& points, const std::vector<std::vector<int>>& faces) {
@@ -34,17 +61,9 @@ Polyhedron polyhedron(const std::vector<Vec3>& points, const std::vector<std::ve
     number[i] = int(solid.corners.size());
     solid.corners.push_back(points[i]);
   }
-  solid.half_width = std::numeric_limits<Real>::max();
   for (const auto& loop : faces) {
     Polyhedron::Face& face = solid.faces.emplace_back();
     for (const int point : loop) face.corners.push_back(number[std::size_t(point)]);
-    face.normal = doubled_area(solid.corners, face.corners).normalized();
-    for (const int i : face.corners) {
-      face.offset += face.normal.dot(solid.corners[std::size_t(i)]) / Real(face.corners.size());
-    }
-    Real lowest = face.offset;
-    for (const Vec3& corner : solid.corners) lowest = std::min(lowest, face.normal.dot(corner));
-    solid.half_width = std::min(solid.half_width, (face.offset - lowest) / 2);
   }
 
   using Edge = Polyhedron::Edge;
@@ -65,31 +84,21 @@ Polyhedron polyhedron(const std::vector<Vec3>& points, const std::vector<std::ve
     (from < to ? edge->left : edge->right) = face;
     solid.faces[std::size_t(face)].edges.push_back(int(edge - solid.edges.begin()));
   });
-
-  for (Polyhedron::Face& face : solid.faces) {
-    face.half_width = std::numeric_limits<Real>::max();
-    for (const int e : face.edges) {
-      const Edge& edge = solid.edges[std::size_t(e)];
-      const Vec3& start = solid.corners[std::size_t(edge.from)];
-      const Vec3 along = (solid.corners[std::size_t(edge.to)] - start).normalized();
-      Real width = 0;
-      for (const int i : face.corners)
-        width = std::max(width, along.cross(solid.corners[std::size_t(i)] - start).norm());
-      face.half_width = std::min(face.half_width, width / 2);
-    }
-  }
+  measure(solid);
   return solid;
 }
 
 Polyhedron polyhedron_of(const Box& box) {
-  static const std::vector<std::vector<int>> faces = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
-                                                      {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
-  std::vector<Vec3> corners;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 side((corner & 1) ? 1 : -1, (corner & 2) ? 1 : -1, (corner & 4) ? 1 : -1);
-    corners.push_back(side.cwiseProduct(box.half_extents));
-  }
-  Polyhedron solid = polyhedron(corners, faces);
+  static const Polyhedron cube = [] {
+    std::vector<Vec3> corners;
+    for (int corner = 0; corner < 8; ++corner)
+      corners.push_back(
+          {(corner & 1) ? Real(1) : Real(-1), (corner & 2) ? Real(1) : Real(-1), (corner & 4) ? Real(1) : Real(-1)});
+    return polyhedron(corners, {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}});
+  }();
+  Polyhedron solid = cube;
+  for (Vec3& corner : solid.corners) corner = corner.cwiseProduct(box.half_extents).eval();
+  measure(solid);
   solid.volume = 8 * box.half_extents.prod();
   solid.rounding = rounding_of(box.half_extents.maxCoeff());
   return solid;

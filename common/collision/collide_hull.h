@@ -1,4 +1,4 @@
-/// Shared by the functions for hulls: collide_hull.cpp, collide_hull_faces.cpp and collide_hull_round.cpp.
+/// Shared by the functions for hulls: collide_hull.cpp, collide_hull_faces.cpp, collide_hull_edges.cpp and collide_hull_round.cpp.
 #pragma once
 
 #include <array>
@@ -10,12 +10,13 @@ namespace pushback {
 
 /// A polyhedron in its pose: in world axes, m, relative to the first body of the pair.
 struct PlacedPolyhedron {
-  static constexpr int most_faces = 2 * most_corners - 4;
+  static constexpr int most_faces = 2 * most_corners - 4, most_edges = 3 * most_corners - 6;  // by Euler's formula
   const Polyhedron& solid;
+  Vec3 centre;
   std::array<Vec3, most_corners> corners;
   std::array<Vec3, most_faces> normals;
 
-  PlacedPolyhedron(const Polyhedron& which, const Vec3& centre, const Mat3& axes);
+  PlacedPolyhedron(const Polyhedron& which, const Vec3& where, const Mat3& axes);
   const Vec3& corner(int i) const { return corners[std::size_t(i)]; }
   const Vec3& normal(int face) const { return normals[std::size_t(face)]; }
   const Vec3& on(int face) const { return corner(solid.faces[std::size_t(face)].corners[0]); }
@@ -46,7 +47,22 @@ struct HullFace {
   Real depth = std::numeric_limits<Real>::max();
 };
 
-/// Clips the incident face to the reference face and adds the points below it to `found`. Returns false if there are none.
-bool touch_at_faces(const HullPair& pair, const HullFace& face, Manifold& found);
+/// Clips the incident face to the reference face and adds the points below it to `found`.
+void touch_at_faces(const HullPair& pair, const HullFace& face, Manifold& found);
+
+/// Two edges along whose cross product the polyhedra overlap least.
+struct EdgeCrossing {
+  int edge_a = -1, edge_b = -1;
+  Vec3 normal = Vec3::Zero();  ///< unit, from A to B
+  Real depth = std::numeric_limits<Real>::max();
+};
+
+/// False if the cross product of two edges separates the polyhedra. On the sphere of directions, an edge of A is the arc between the
+/// normals of its two faces, and an edge of B the arc between the opposites of its normals. Only if the arcs cross does nothing else
+/// reach farther than the two edges along their cross product, so other pairs are skipped.
+bool try_edges(const HullPair& pair, EdgeCrossing& best);
+
+/// Adds the point at which the edges touch to `found`.
+void touch_at_edges(const HullPair& pair, const EdgeCrossing& edges, Manifold& found);
 
 }  // namespace pushback

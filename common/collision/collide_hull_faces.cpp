@@ -22,7 +22,7 @@ std::uint32_t name_of_corner(const Polyhedron& solid, int edge, int other, bool 
 
 }  // namespace
 
-bool touch_at_faces(const HullPair& pair, const HullFace& face, Manifold& found) {
+void touch_at_faces(const HullPair& pair, const HullFace& face, Manifold& found) {
   const PlacedPolyhedron& hull = face.of_b ? pair.b : pair.a;  // the hull with the reference face
   const PlacedPolyhedron& incident = face.of_b ? pair.a : pair.b;
   const Polyhedron::Face& reference_face = hull.solid.faces[std::size_t(face.face)];
@@ -54,13 +54,9 @@ bool touch_at_faces(const HullPair& pair, const HullFace& face, Manifold& found)
     return name_of_corner(of_reference ? hull.solid : incident.solid, one, other, of_reference == face.of_b);
   };
   const auto candidates = candidates_of(outline, face.of_b, pair.rounding + pair.margin, pair.clearly, corner_name);
-  if (candidates.count == 0) return false;
-
-  found.normal = face.of_b ? Vec3(-normal) : normal;
   for (const Candidate& one : candidates) {
     found.add(origin + one.u * u_axis + one.v * v_axis - one.depth / 2 * normal, one.depth, one.feature);
   }
-  return true;
 }
 
 }  // namespace pushback
