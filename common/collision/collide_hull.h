@@ -47,7 +47,7 @@ struct HullFace {
   Real depth = std::numeric_limits<Real>::max();
 };
 
-/// Clips the incident face to the reference face and adds the points below it to `found`.
+/// Clips the incident face to the reference face and adds the points below it to `found`, which has the normal already.
 void touch_at_faces(const HullPair& pair, const HullFace& face, Manifold& found);
 
 /// Two edges along whose cross product the polyhedra overlap least.
