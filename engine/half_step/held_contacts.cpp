@@ -12,7 +12,7 @@ namespace pushback {
 namespace {
 
 constexpr bool in_doubles = std::numeric_limits<Real>::digits > 24;
-constexpr Real level = in_doubles ? Real(1e-12) : Real(1e-6);  // m: a gap that is rounding of places, and stays
+constexpr Real level = in_doubles ? Real(1e-11) : Real(1e-6);  // m: a gap that is rounding of places, and stays
 constexpr Real creeps = in_doubles ? Real(1e-9) : Real(1e-4);  // m/s; a slower contact sticks
 constexpr Real solved = in_doubles ? Real(1e-6) : Real(1e-3);  // m/s
 
@@ -209,7 +209,7 @@ void HeldContacts::end_pressing(const World& world, Real h) {
     ContactMemory& known = known_[at.index];
     known.pressing = lasting_impulse(at, h);
     known.total += components(known.pressing, world.contacts[at.index].normal);
-    sums_.add(world.contacts[at.index], known.pressing, known.sum);
+    sums_.add(world.contacts[at.index], at.impulse, known.sum);
     if (known.borne.isZero(0)) known.borne = 2 / h * at.impulse;
     known.pressed = at.impulse.dot(world.contacts[at.index].normal) > 0;
   }
@@ -237,7 +237,7 @@ void HeldContacts::end_projecting(const World& world, Real h) {
     ContactMemory& known = known_[at.index];
     const Vec3 lasting = lasting_impulse(at, h);
     known.total += components(lasting, world.contacts[at.index].normal);
-    sums_.add(world.contacts[at.index], lasting, known.sum);
+    sums_.add(world.contacts[at.index], at.impulse, known.sum);
     known.last = at.impulse;
     known.borne = (known.pressing + lasting) / h;
   }
