@@ -59,12 +59,14 @@ Thrown thrown(unsigned seed, int balls) {
   std::uniform_real_distribution<double> number(-1, 1);
   Thrown found{{}, {}, 0.12};
   while (std::ssize(found.at) < balls) {
-    const Eigen::Vector3d at(number(random), number(random), 0.3 * number(random));
+    const double z = 0.3 * number(random), y = number(random), x = number(random);
+    const Eigen::Vector3d at(x, y, z);
     bool is_free = true;
     for (const Eigen::Vector3d& other : found.at) is_free = is_free && (at - other).norm() > 0.25;
     if (!is_free) continue;
     found.at.push_back(at);
-    found.velocities.emplace_back(-3 * at + 2 * Eigen::Vector3d(number(random), number(random), number(random)));
+    const double v_z = number(random), v_y = number(random), v_x = number(random);
+    found.velocities.emplace_back(-3 * at + 2 * Eigen::Vector3d(v_x, v_y, v_z));
   }
   return found;
 }
