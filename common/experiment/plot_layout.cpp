@@ -55,8 +55,10 @@ void log_ticks(Axis& axis, int most) {
   }
   if (last - first >= 2) return;
   axis.ticks.clear();
+  const bool wide = axis.to / axis.from > 100;  // where 2 and 5 as well would have no room
+  const std::vector<Real> mantissas = wide ? std::vector<Real>{1, 3} : std::vector<Real>{1, 2, 5};
   for (int e = first - 1; e <= last; ++e) {
-    for (const Real mantissa : {1, 2, 5}) {
+    for (const Real mantissa : mantissas) {
       const Real value = mantissa * std::pow(Real(10), static_cast<Real>(e));
       if (value >= axis.from * (1 - slack) && value <= axis.to * (1 + slack))
         axis.ticks.emplace_back(value, fmt::format("{:g}", value));

@@ -39,8 +39,8 @@ inline BodyPair pair_of(const Contact& at) {
 ///
 ///   2 (1 - left / residual)      of the difference between solution and guess
 ///
-/// where `left` is what the previous stage left. If it took over all, it would err as much in the opposite direction, and every
-/// fourth stage would have to be solved.
+/// where `left` is what the previous stage left. If it took over all, it would err as much in the opposite direction, and a
+/// pyramid at rest would have to be solved in every fourth stage.
 class HeldContacts {
  public:
   /// m: a gap that is rounding

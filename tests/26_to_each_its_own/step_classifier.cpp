@@ -123,3 +123,22 @@ TEST_CASE("calls: what arrives slower than the threshold, or rests, is no impact
   CHECK(impact(Real(0.15), Real(1e-4)));
   CHECK_FALSE(impact(1, Real(0.5)));  // not in this step
 }
+
+TEST_CASE("calls: a corner that turns towards the ground arrives where no contact is yet") {
+  const auto impact = [](Real tip_speed) {
+    constexpr Real half_length = 2, half_height = Real(0.1), gap = Real(1e-3);
+    World world;
+    world.gravity = {0, -g, 0};
+    world.add(ground());
+    world.add(box({half_length, half_height, half_height}, 10)
+                  .at({0, half_height + gap, 0})
+                  .spinning({0, 0, tip_speed / half_length}));
+    StepClassifier calls;
+    find(calls, world, below_the_first(1, -gap));  // below its centre, which does not move
+    return calls.impact(1);
+  };
+  CHECK(impact(3 * threshold));
+  CHECK(impact(-3 * threshold));
+  CHECK_FALSE(impact(Real(0.9) * threshold));
+  CHECK_FALSE(impact(0));
+}

@@ -143,7 +143,8 @@ Adapter& the_adapter() {
 
 namespace {
 
-/// An adapter plays motions and hard cases, as the engines of ../peers do. What is put anew, driven or pushed is handed on with the next question. So many steps are one question: a motion's 1/60 s is one.
+/// An adapter plays motions and hard cases, as the engines of ../peers do. The next question contains all bodies that were put, driven
+/// or pushed. 1/60 s of a motion is one question, however many steps it has.
 class AskedEngine final : public Engine {
  public:
   /// `dt`: the length of a substep, s; 0: it comes with each step, since a hard case changes it.

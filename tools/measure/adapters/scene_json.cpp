@@ -190,7 +190,7 @@ class From {
   std::string name_;
 };
 
-/// In the order of the kinds of Shape: the word, what is said of such a shape, and one of this mass.
+/// In the order of the kinds of Shape: the word for a kind, its fields, and a body of this shape and mass.
 struct ShapeWords {
   const char* kind;
   std::vector<std::string> fields;
@@ -207,7 +207,7 @@ const std::array<ShapeWords, 5> shape_words{
      {"hull", {"corners"}, [](const From& from, Real mass) { return hull(from.vectors("corners"), mass); }},
      {"half_space", {"normal"}, [](const From& from, Real) { return half_space(from.direction("normal")); }}}};
 
-/// Of a list, what has the word that `from` has; no more fields than these and its own are allowed.
+/// Finds the entry of a list for the kind of `from`, which may contain these fields and those of the entry, and no others.
 template <class List>
 const auto& of_kind(const List& list, const From& from, const std::string& needed, std::vector<std::string> fields) {
   const std::string word = from.word("kind");
@@ -277,7 +277,7 @@ Joint joint_from(const From& from, const World& world) {
                         from.number("torque", 0, largest_torque));
 }
 
-/// What `make` makes of one of a list, whose name is in all that is said of it.
+/// Calls `make` for one entry of a list. Its error messages begin with the name of the entry.
 template <class Make>
 auto made(const std::string& name, const Json& json, const Make& make) {
   try {

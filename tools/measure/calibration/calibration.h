@@ -1,4 +1,4 @@
-/// Scenes that nobody has looked at, where their bodies truly are after a second, and what a solver says of its error in them.
+/// Scenes drawn at random, the true positions of their bodies after a second, and the error that a solver reports.
 #pragma once
 
 #include <cstdint>
@@ -23,15 +23,14 @@ Scene scene(std::uint64_t number);
 constexpr int frames = 60;
 constexpr Real dt = Real(1) / 60;  // s
 
-/// Where the bodies truly are after that second, as far as that can be found.
-/// By a solver that is none of those measured: chapter 25's step of the whole world, cut at each impact, in 128 substeps. The same
-/// in 64 says how sure that is.
+/// The positions of the bodies after that second, by a solver that is not measured: chapter 25's step of the whole world, cut at each
+/// impact, in 128 substeps. The same in 64 substeps shows how reliable they are.
 struct Truth {
   std::uint64_t number;
-  Real sure = 0;             ///< m: how far apart both have the same body; infinity if one of them gave up
+  Real sure = 0;             ///< m: the largest difference of the two; infinity if one of them gave up
   std::vector<Vec3> places;  ///< m: of the bodies that move, in order
 
-  /// Whether it can tell what is kept of the error that is asked of this scene.
+  /// Whether it is exact enough to judge an error of `asked`, m.
   bool good_for(Real asked) const { return sure <= asked / 10; }
   /// m: the largest distance of a body from its true place.
   Real error(const World& world) const;
@@ -43,7 +42,7 @@ Truth find_truth(std::uint64_t number);
 std::string text_of(const std::vector<Truth>& truths);
 std::vector<Truth> truths_in(const std::string& text);
 
-/// What a solver says of its error, beside what is true.
+/// The error that a solver reports, and the true one.
 struct Played {
   std::uint64_t number;
   std::string kind;
@@ -51,9 +50,9 @@ struct Played {
   bool flagged;             ///< `kept` was false once, of one body
   double steps, estimate;   ///< s: of the steps alone, and what the estimate took on top
 
-  /// What must not be: above what was asked, and nothing was said.
+  /// The failure to avoid: an error above the allowed one, without a flag.
   bool missed() const { return !flagged && error > asked; }
-  /// At most three times as large as said, or below 0.1 um, which Newton's method leaves.
+  /// Whether the true error is at most three times the reported one, or below 0.1 um, which Newton's method leaves.
   bool covered() const { return error <= 3 * std::max(said, Real(1e-7)); }
 };
 

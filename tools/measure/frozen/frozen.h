@@ -28,7 +28,8 @@ std::vector<FrozenProblem> own_problems();
 
 /// Pyramids and heaps of 283 to 3,866 contacts, made alike; the largest takes half a minute.
 std::vector<FrozenProblem> large_problems();
-inline constexpr int large_contacts = 400;  ///< of others: from so many contacts on, they are put beside those
+inline constexpr int large_contacts =
+    400;  ///< problems of others with at least so many contacts are compared with these
 
 /// Every .dat file of the folder, by name. Throws InvalidInput where there is no such folder, none in it, or a bad one.
 std::vector<FrozenProblem> foreign_problems(const std::filesystem::path& folder);
@@ -43,7 +44,7 @@ struct FrozenPoint {
   int systems = 0;                        ///< linear systems
   std::optional<double> row_solves = {};  ///< not of Siconos, whose iterations are not over rows
   double residual = 0;
-  /// Of solving up to here, one a round: the residual and other programs not counted. Read again, five of the same median and quartiles.
+  /// The time of solving up to here, one for each round, without the residual. Read from a file: five with the same median and quartiles.
   std::vector<double> seconds = {};
 
   double time(double part = 0.5) const;  ///< s: the median of the rounds; 0.25, 0.75: the quartiles
@@ -75,12 +76,12 @@ Costs times_to(double tolerance, const FrozenPoints& all);
 /// Row solves likewise, 1 at least.
 Costs row_solves_to(double tolerance, const FrozenPoints& all);
 
-/// A performance profile: who is how far behind the best, on how many problems.
+/// A performance profile: how far a method is behind the best one, and on how many problems.
 ///
-///   f_m(tau) = the part of all problems that method m solves within tau times the cost of whoever is cheapest there
+///   f_m(tau) = the part of all problems that method m solves within tau times the cost of the cheapest method
 ///
 /// f_m(1): where m is the cheapest. f_m(infinity): what it solves at all. E. Dolan, J. More, "Benchmarking optimization
-/// software with performance profiles", 2002. A problem that nobody solves counts against all. 0 where there are no problems.
+/// software with performance profiles", 2002. A problem that no method solves counts for none. 0 if there are no problems.
 double part_within(const Costs& costs, std::size_t method, double tau);
 
 // ---- one method on one problem: the residual as it goes, and what was paid so far; all methods on all problems, round after round ----
@@ -134,7 +135,7 @@ class Trace {
 
 /// All methods on these problems. Takes minutes, or seconds if quick: a thirtieth of a second for each, fewer tolerances. Rounds
 /// go over all methods, one after the other, and then over all again. Sweeps, systems and residuals are the same whenever they
-/// are there; times, and so who is fastest, are those of the day.
+/// are there. Times differ from run to run.
 FrozenPoints study_frozen(const std::vector<FrozenProblem>& problems, bool quick);
 /// The same of large problems: 10 s for each method, once.
 FrozenPoints study_large(const std::vector<FrozenProblem>& problems, bool quick);
@@ -146,7 +147,7 @@ std::vector<std::string> tables_of(const FrozenPoints& all);
 /// Markdown. A row a method: on how many problems it comes that far, on how many it is the fastest, and its time as a multiple of the
 /// fastest one's, the median of those it reaches. For each tolerance.
 std::string reached_of(const FrozenPoints& all);
-/// What else the numbers say, a sentence each. Throws InvalidInput where a problem is none of `problems`.
+/// Further results, a sentence each. Throws InvalidInput where a problem is none of `problems`.
 std::vector<std::string> remarks_of(const FrozenPoints& all, const std::vector<FrozenProblem>& problems);
 
 /// Residual against time and against row solves, of the six problems that tell most.

@@ -39,7 +39,7 @@ inline double siconos_unit(const ContactProblem& problem, const Vector& r) {
   return std::max({q > 0 ? q : 1, r.norm(), problem.speeds(r).norm()});
 }
 
-/// All methods that are compared: those of chapters 16 and 17, then those of Siconos where it is built in.
+/// All methods that are compared: those of chapters 16 and 17, then those of Siconos if it was found.
 inline std::vector<std::string> frozen_methods() {
   std::vector<std::string> names = method_names();
   for (const std::string& name : siconos_methods()) names.push_back(name);

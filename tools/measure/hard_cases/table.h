@@ -52,7 +52,7 @@ Table play(std::vector<HardCase> cases, std::vector<Stage> stages, int threads, 
 
 /// With an outcome for each pair, of nothing.
 Table empty_table(std::vector<HardCase> cases, std::vector<Stage> stages);
-/// Of these cases and stages, from the first of the tables in which a pair was played. Throws InvalidInput where it was in none.
+/// A table of these cases and stages. Each cell is taken from the first table that contains it. Throws InvalidInput if none does.
 Table assembled(std::vector<HardCase> cases, std::vector<Stage> stages, const std::vector<const Table*>& from);
 
 // ---- a case played by a process of its own: another engine is a program, and a reader's solver may crash, throw or never end ----
@@ -106,7 +106,7 @@ void describe_hard_cases(Experiment& experiment);
 
 /// Which columns a table has, and what is made of it.
 struct TableKind {
-  std::string folder = "hard_cases";  ///< in that of --out
+  std::string folder = "hard_cases";  ///< within the folder of --out
   std::string file = "table";         ///< the names of its CSV file and its page
   std::string times = "times.csv";    ///< milliseconds of a step: the only file that differs from run to run
   std::string picture = "overview";   ///< the name of its picture; empty: it has none
