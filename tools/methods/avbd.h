@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "pushback/common/world/step_solver.h"
 
@@ -9,16 +10,19 @@ namespace pushback {
 
 /// Implicit Euler as a minimum over the velocities V at the end of a step, with a penalty k and a force lambda for each row:
 ///
-///   1/2 (V - V*)^T M (V - V*)  +  sum of 1/2 k C^2 - lambda C,      C = (1 - alpha) C_0 + h J V;   V*: as forces leave it
-///   f = lambda - k C, but f_n >= 0 and |f_t| <= mu f_n              N; alpha: error_kept, or 0 of a contact ahead, C_0 > 0
+///   1/2 (V - V*)^T M (V - V*)  +  sum of 1/2 k C^2 - lambda C       V*: as forces leave it
+///   C = (1 - alpha) C_0 + h J V                                     contact; alpha: error_kept, or 0 of a contact ahead, C_0 > 0
+///   C = C(x) - alpha C_0,  x: where V leads in h                    joint: its C and J are computed again for each body in each sweep
+///   f = lambda - k C, but f_n >= 0 and |f_t| <= mu f_n              N
 ///
 /// A sweep goes over the bodies. Each makes its own part of the sum least while the others stay, by one linear system of 6 x 6:
 ///
-///   (M + h^2 sum k J J^T) dV = -M (V - V*) + h sum J^T f
+///   (M + h^2 sum (s J J^T + |f| G)) dV = -M (V - V*) + h sum J^T f
 ///
-/// and then over the rows:  lambda <- f,  and k grows with |C| where f is within its bounds. The next step starts from a part of both.
-/// C is as it was detected and to first order in V, of joints too; the paper computes a joint's C anew in each
-/// sweep, and adds the change of J to the system. k is counted in 1 / (K h^2), so that no mass stands in the settings.
+/// s is k, but |f - lambda| / |C| of a row that is at a bound. G is diagonal: how much J changes with each of the body's 6 ways to
+/// move, as the step begins. Then the rows:  lambda <- f,  and k grows with |C| where f is within its bounds. The next step starts
+/// from a part of both, and V from where a body goes if it gains of V* what it gained before.
+/// k is counted in 1 / (K h^2), so that no mass stands in the settings.
 /// There is no restitution here: nothing bounces. k is remembered by the solver, lambda by the world.
 ///   C. Giles, E. Diaz, C. Yuksel, "Augmented Vertex Block Descent", ACM Transactions on Graphics 44 (4), SIGGRAPH 2025
 class Avbd : public StepSolver {
@@ -37,23 +41,25 @@ class Avbd : public StepSolver {
   void solve(World& world, Real h, int sweeps) override;
 
  private:
+  using Vec6 = Eigen::Matrix<Real, 6, 1>;
   /// One C, and the force that answers it.
   struct Force {
     Jacobian jacobian;
-    Real c0;          // m, the part of it that this step is to undo
-    Real unit;        // 1 / (K h^2), N/m
-    Real k;           // N/m
-    Real lambda = 0;  // N
-    Real f = 0;       // N, of the latest C
-    Real c = 0;       // m, that C
+    Real c0;             // m: of a contact the part that this step is to undo, of a joint the part that it is to leave
+    Real unit;           // 1 / (K h^2), N/m
+    Real k;              // N/m
+    Real lambda = 0;     // N
+    Real f = 0;          // N, of the latest C
+    Real c = 0;          // m, that C
+    Real stiffness = 0;  // N/m, s
   };
-  /// The rows of a contact, n and two tangents; or of an equation of a joint, one.
+  /// The rows of a contact, n and two tangents; or of a joint, its equations.
   struct Bond {
     int a, b;  // World::body
-    bool contact;
-    Real friction;  // mu
-    int rows;
-    std::array<Force, 3> forces;
+    std::size_t first;
+    std::size_t rows;
+    const Joint* joint = nullptr;
+    Real friction = 0;    // mu
     bool sticks = false;  // friction is within its bound
   };
   using Penalties = std::array<Real, 3>;
@@ -61,17 +67,35 @@ class Avbd : public StepSolver {
     ContactId id;
     Penalties k;  // in 1 / (K h^2)
   };
+  /// A body as the step begins.
+  struct Start {
+    Vec3 velocity, angular_velocity;  // V*
+    Mat3 inertia;
+    Vec3 position;
+    Quat orientation;
+    bool joined = false;  // it takes the place where V leads, for C(x)
+  };
 
+  std::span<Force> rows_of(const Bond& bond) { return std::span(forces_).subspan(bond.first, bond.rows); }
   void add_contacts(World& world, Real h);
   void add_joints(World& world, Real h);
-  static void answer(const World& world, Bond& bond, Real h);
-  void descend(World& world, int body, const Vec3& velocity, const Vec3& angular_velocity, Real h);
-  static void raise(Bond& bond);
+  void bend(World& world, const Bond& bond, Real h);
+  void begin(World& world, Real h);
+  void answer(const World& world, Bond& bond, Real h);
+  void descend(World& world, std::size_t body, Real h);
+  void raise(Bond& bond);
+  void store(World& world, Real h);
 
-  std::vector<Bond> bonds_;                   // contacts first
+  std::vector<Bond> bonds_;  // contacts first
+  std::vector<Force> forces_;
+  std::size_t contact_rows_ = 0;              // of forces_
+  std::vector<std::array<Vec6, 2>> bends_;    // of each row of a joint: the diagonals of G for its two bodies, 1/m
   std::vector<std::vector<std::size_t>> of_;  // of each body: its bonds
+  std::vector<Start> starts_;                 // of each body
+  std::vector<Vec3> velocities_before_;       // of each body, as the step before this one began
   std::vector<Known> known_;                  // of the contacts of the latest step, ascending
   std::vector<Real> known_joints_;            // of the rows of all joints likewise
+  Equations equations_;
 };
 
 }  // namespace pushback

@@ -13,4 +13,9 @@ namespace pushback {
 /// Differs from chapter 08's by one effect.
 using ConjugateSolver = Solver<Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart, ConjugateSweeps>;
 
+/// SAP with the friction that Drake has by default.
+struct SapLagged : Sap {
+  SapLagged() { lagged = true; }
+};
+
 }  // namespace pushback

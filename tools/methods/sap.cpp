@@ -68,12 +68,19 @@ void Sap::add_contacts(const World& world, Real h) {
     const auto [a, b] = world.bodies_of(at);
     const Vec3 r_a = at.point - a.position, r_b = at.point - b.position;
     const double w = (mobility(a, r_a) + mobility(b, r_b)).norm() / 3;
-    tie(problem_.contacts, a, b, -point_at(r_a), point_at(r_b),
-        SapContactLaw{.n = at.normal.cast<double>(),
+    SapContactLaw law{.n = at.normal.cast<double>(),
                       .mu = static_cast<double>(at.friction),
                       .r_t = slip * w,
                       .r_n = rigid() * w,
-                      .wanted = feedback * static_cast<double>(at.depth)});
+                      .wanted = feedback * static_cast<double>(at.depth)};
+    if (lagged) {
+      const Vec3 u = b.velocity_before + b.angular_velocity_before.cross(r_b) - a.velocity_before -
+                     a.angular_velocity_before.cross(r_a);
+      const double opening = feedback * static_cast<double>(tau(h) * u.dot(at.normal));
+      law.lagged = at.depth > 0 ? std::max(0.0, law.wanted - opening) / law.r_n : 0;
+      law.slow = std::max(slow, law.mu * law.r_t * *law.lagged);
+    }
+    tie(problem_.contacts, a, b, -point_at(r_a), point_at(r_b), law);
   }
 }
 

@@ -18,12 +18,18 @@ namespace pushback {
 /// tau = beta h / pi. So a contact that bears m g is m g h (h + tau) R_n deep. A joint's bounds are held, and its spring keeps
 /// its own softness.
 ///
-/// `sweeps` do not matter: Newton's method ends where its equations hold. There is no restitution here, and friction that slides is
-/// relaxed: a contact that slides opens with mu |u_t|.
+/// Lagged, friction is bounded by the impulse of the same spring and damper as the step begins: n_0 = (phi < 0) (v - tau / (h + tau)
+/// u_n) / R_n, at least 0. That is the impulse of the step before, without a memory. Friction is then Coulomb's, a step late.
+///
+/// `sweeps` do not matter: Newton's method ends where its equations hold. There is no restitution here. Unless lagged, friction
+/// that slides is relaxed: a contact that slides opens with mu |u_t|.
 ///   A. Castro, F. Permenter, X. Han, "An Unconstrained Convex Formulation of Compliant Contact", IEEE Transactions on Robotics, 2022
 class Sap : public StepSolver {
  public:
-  Real period = 1;                            ///< beta, steps, above 0
+  Real period = 1;      ///< beta, steps, above 0
+  bool lagged = false;  ///< as in Drake by default, since its version 1.37; else its `sap`
+  static constexpr double slow =
+      1e-4;  ///< m/s, Drake's tolerance of stiction: a lagged contact that sticks creeps below it
   static constexpr double slip = 1e-3;        ///< sigma
   static constexpr Real margin = Real(0.01);  ///< m: contacts are detected so far ahead, and by the way of h + tau
   static constexpr double tolerance = 1e-8;   ///< of Newton's method, see sap_problem.h

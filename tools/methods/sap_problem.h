@@ -5,6 +5,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace pushback {
@@ -29,13 +30,22 @@ struct SapAnswer {
 /// It sticks with a slip of R_t gamma_t, and is pressed closed up to R_n gamma_n. What slides has u_n - v + R_n gamma_n = mu |u_t| and
 /// not 0: this is Coulomb's law relaxed, see tools/measure/study/relaxed_law.h.
 ///   A. Castro, F. Permenter, X. Han, "An Unconstrained Convex Formulation of Compliant Contact", IEEE Transactions on Robotics, 2022
+///
+/// Lagged, friction is bounded by an impulse n_0 that is known before, and regularised. Normal and tangent are then two problems:
+///
+///   gamma_n = max(0, y_n),  gamma_t = -mu n_0 u_t / s,  s = sqrt(|u_t|^2 + e^2)       l(u) = R_n gamma_n^2 / 2 + mu n_0 (s - e)
+///
+///   A. Castro, X. Han, J. Masterjohn, "Irrotational Contact Fields", arXiv:2312.03908, 2024
 struct SapContactLaw {
   Eigen::Vector3d n;
   double mu;
-  double r_t, r_n;  ///< 1/kg, above 0
-  double wanted;    ///< v, m/s, separating
+  double r_t, r_n;                    ///< 1/kg, above 0
+  double wanted;                      ///< v, m/s, separating
+  std::optional<double> lagged = {};  ///< n_0, N s
+  double slow = 0;                    ///< e, m/s: a lagged contact sticks below it
 
   bool sticks(const Eigen::Vector3d& u) const {
+    if (lagged) return mu > 0 && (u - n.dot(u) * n).norm() <= slow;
     const auto [y_n, y_t] = parts(u);
     return mu > 0 && y_t.norm() <= mu * y_n;
   }
@@ -43,6 +53,13 @@ struct SapContactLaw {
     const auto [y_n, y_t] = parts(u);
     const double length = y_t.norm();
     const Eigen::Matrix3d along = n * n.transpose(), across = Eigen::Matrix3d::Identity() - along;
+    if (lagged) {
+      const Eigen::Vector3d u_t = across * u;
+      const double most = mu * *lagged, soft = std::hypot(u_t.norm(), slow), pressed = std::max(0.0, y_n);
+      return {pressed * n - most / soft * u_t,
+              (pressed > 0 ? 1 / r_n : 0) * along + most / soft * (across - u_t * u_t.transpose() / (soft * soft)),
+              r_n * pressed * pressed / 2 + most * (soft - slow)};
+    }
     if (mu > 0 && length <= mu * y_n)
       return {y_n * n + y_t, along / r_n + across / r_t, (r_n * y_n * y_n + r_t * length * length) / 2};
     const double sum = r_n + mu * mu * r_t, gamma_n = (r_n * y_n + mu * r_t * length) / sum;

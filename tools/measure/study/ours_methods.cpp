@@ -20,8 +20,8 @@ Method method(const std::string& name, const std::string& title) {
               [holds = solver.supports_joints()](const Motion& motion) {
                 return (motion.pins.empty() || holds) && (bounces || !has_bounces(motion));
               },
-          .begin = by_ours(solver, !std::same_as<ContactSolver, Avbd> && !std::same_as<ContactSolver, Sap>),
-          .sweeps = !std::same_as<ContactSolver, Sap>};
+          .begin = by_ours(solver, !std::same_as<ContactSolver, Avbd> && !std::derived_from<ContactSolver, Sap>),
+          .sweeps = !std::derived_from<ContactSolver, Sap>};
 }
 
 }  // namespace
@@ -30,7 +30,8 @@ int main(int argc, char** argv) {
   const std::vector<Method> methods{method<Xpbd>("xpbd", "positions corrected, velocities from them"),
                                     method<Avbd>("avbd", "a block of 6 x 6 for each body"),
                                     method<ConjugateSolver>("nncg", "conjugate gradients over sweeps"),
-                                    method<Sap>("sap", "a convex function of all velocities, by Newton's method")};
+                                    method<Sap>("sap", "a convex function of all velocities, by Newton's method"),
+                                    method<SapLagged>("sap-lagged", "the same with friction bounded a step late")};
   return play_program(argc, argv, "Plays a motion by methods of the literature that are no chapter.",
                       fmt::format("Pushback, other methods; {}", built_by()), methods);
 }
