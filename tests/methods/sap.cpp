@@ -92,6 +92,39 @@ TEST_CASE("sap: a body that is sent along the ground hops by the closed form of 
   }
 }
 
+TEST_CASE(
+    "sap, lagged: friction is mu times the normal impulse of the step before, contact by contact, and nothing hops") {
+  World world;
+  world.add(ground().rough(Real(0.5)));
+  world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, Real(0.5), 0}).moving({4, 0, 1}).rough(Real(0.5)));
+  SapLagged solver;
+  for (int i = 0; i < 30; ++i) {
+    const Contacts before = world.contacts;
+    world.step(solver, h);
+    REQUIRE(world.contacts.size() == 4);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Vec3& impulse = world.contacts[k].impulse;
+      const Real bound = before.empty() ? 0 : Real(0.5) * before[k].impulse.y();
+      CHECK(std::hypot(impulse.x(), impulse.z()) == Approx(bound).epsilon(1e-3).margin(in_double ? 1e-9 : 1e-3));
+      CHECK(world.contacts[k].state == ContactState::sliding);
+    }
+    CHECK(world.bodies[1].velocity.y() < Real(1e-3));
+  }
+}
+
+// f = mu N v / sqrt(v^2 + e^2)
+TEST_CASE("sap, lagged: on a slope a box creeps with the speed of its regularised friction") {
+  constexpr Real angle = Real(0.2), mu = Real(0.4);
+  World world;
+  const Vec3 out(std::sin(angle), std::cos(angle), 0), down(std::cos(angle), -std::sin(angle), 0);
+  world.add(half_space(out).rough(mu));
+  world.add(box(Vec3::Constant(Real(0.5)), 100).turned(-angle, Vec3::UnitZ()).at(Real(0.5) * out).rough(mu));
+  SapLagged solver;
+  play(world, solver, 240);
+  const Real part = std::tan(angle) / mu, e = static_cast<Real>(Sap::slow);
+  CHECK(world.bodies[1].velocity.dot(down) == Approx(e * part / std::sqrt(1 - part * part)).epsilon(0.01));
+}
+
 // m u_n = r - m c,  m u_t = m s - k mu r,  u_n = mu u_t, with k = 7/2
 TEST_CASE("sap: nothing bounces straight back, but what arrives aslant is thrown off") {
   const auto thrown = [](Real c, Real s) {

@@ -49,6 +49,7 @@ SapProblem chain_of(Numbers& numbers, int bodies) {
                       numbers.matrix<Contact::Rows>(),
                       numbers.contact()};
       if (k % 2 == 1) std::swap(contact.a, contact.b);
+      if (k == 3) contact.law.lagged = numbers.positive(), contact.law.slow = numbers.positive() / 10;
       problem.contacts.push_back(contact);
     }
     using Row = SapProblem::Row;

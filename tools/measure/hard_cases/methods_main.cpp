@@ -26,8 +26,9 @@ Stage stage(const std::string& name, int substeps, int sweeps) {
 
 std::vector<Stage> compared() {
   using Cone = Solver<Clamping, Baumgarte, Slop, Restitution, FrictionCone, WarmStart>;
-  return {stage<Cone>("slim", 4, 4), stage<Xpbd>("xpbd", 16, 1), stage<Avbd>("avbd", 4, 4),
-          stage<ConjugateSolver>("nncg", 4, 4), stage<Sap>("sap", 4, 1)};
+  return {stage<Cone>("slim", 4, 4), stage<Xpbd>("xpbd", 16, 1),
+          stage<Avbd>("avbd", 4, 4), stage<ConjugateSolver>("nncg", 4, 4),
+          stage<Sap>("sap", 4, 1),   stage<SapLagged>("sap-lagged", 4, 1)};
 }
 
 /// Whether all numbers are, whatever invariant broke.

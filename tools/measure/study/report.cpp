@@ -236,8 +236,9 @@ std::string table_of_compared(const std::vector<MotionMeasured>& all, const Cell
 }  // namespace
 
 const std::vector<std::string>& compared_methods() {
-  static const std::vector<std::string> methods{"slim",      "split-joints", "direct-joints", "jointed", "once",
-                                                "half-step", "xpbd",         "avbd",          "nncg",    "sap"};
+  static const std::vector<std::string> methods{"slim", "split-joints", "direct-joints", "jointed",
+                                                "once", "half-step",    "xpbd",          "avbd",
+                                                "nncg", "sap",          "sap-lagged"};
   return methods;
 }
 
@@ -249,7 +250,7 @@ Panel fronts_of_compared(const MotionMeasured& measured) {
         i < 4
             ? 0
             : i - 3;  // those of one step a substep are alike; else of two that share a colour, each has its own shape
-    const bool dashed = method == "direct-joints" || method == "nncg" || method == "sap";
+    const bool dashed = method == "direct-joints" || method == "nncg" || method.starts_with("sap");
     add_curve(panel, front(robust(of_method(measured.all, method))), *measured.motion,
               {method,
                {},
