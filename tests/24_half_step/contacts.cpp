@@ -1,5 +1,6 @@
 /// Chapter 24: contacts in both stages.
 #include "pushback/chapters/24_half_step/study.h"
+#include "pushback/common/world/forces.h"
 #include "pushback/common/world/situations.h"
 #include "tests/24_half_step/order.h"
 #include "tests/support/catch.h"
@@ -57,6 +58,64 @@ TEST_CASE("half step: a ball slides down from a smooth ball, keeps its energy, a
       CHECK(std::abs(world.bodies[1].velocity.dot(place.normalized())) < 100 * rounding);
   }
   CHECK(left == Approx(leaves).epsilon(0.03));
+}
+
+// Where a contact ends, no force jumps. Cut at impacts, the ball comes off its support by h^2 v^2 / (2 R), and meets it again.
+TEST_CASE("half step: of second order where a body leaves its support, of first if it is cut at impacts") {
+  if (!in_double) return;
+  const auto place = [](const HalfStep& kind, int substeps, Real start) {
+    World world;
+    world.add(sphere(1, 1).fixed().rough(0));
+    world.add(sphere(Real(0.5), 1).at({Real(1.5) * std::sin(start), Real(1.5) * std::cos(start), 0}).rough(0));
+    HalfStep step = exact(substeps, kind);
+    for (int i = 0; i < 57; ++i) world.step(step, h);
+    return world.bodies[1].position;
+  };
+  std::vector<Real> starts;  // rad
+  std::vector<Vec3> fine;
+  for (Real start = Real(0.3); start < Real(0.319); start += Real(0.0025)) {
+    starts.push_back(start);
+    fine.push_back(place({}, 256, start));
+  }
+  const auto error = [&](const HalfStep& kind, int substeps) {
+    Real largest = 0;
+    for (std::size_t i = 0; i < starts.size(); ++i)
+      largest = std::max(largest, (place(kind, substeps, starts[i]) - fine[i]).norm());
+    return largest;
+  };
+  CHECK(error({}, 1) == Approx(0.0022).epsilon(0.05));            // the page says so
+  CHECK(error(at_impacts(), 1) == Approx(0.0112).epsilon(0.05));  // chapter 25's page says so
+  CHECK(order({1, 2, 4, 8, 16}, [&](int n) { return error({}, n); }) == Approx(2).margin(0.1));
+  CHECK(order({1, 4, 16, 64}, [&](int n) { return error(at_impacts(), n); }) == Approx(1).margin(0.25));
+}
+
+// x'' = -w^2 x - mu g sgn(x'): half a swing about each of +-mu g / w^2 in turn. The phase within a step is what decides, so of eight.
+TEST_CASE("half step: of first order where the slip of a box on a spring reverses") {
+  if (!in_double) return;
+  constexpr Real w = 5, mu = Real(0.1), off = mu * g / (w * w);
+  const auto error = [&](int substeps) {
+    Real largest = 0;
+    for (int start = 0; start < 8; ++start) {
+      World world;
+      Real from = 1 + Real(0.004) * static_cast<Real>(start), since = 0;
+      world.add(ground().rough(mu));
+      world.add(box(Vec3::Constant(Real(0.25)), 1).at({from, Real(0.25), 0}).rough(mu));
+      world.forces.push_back(spring(1, {0, Real(0.25), 0}, w * w));
+      HalfStep step = exact(substeps);
+      for (int i = 0; i < 150; ++i) {
+        world.step(step, h);
+        since += h;
+        if (since > pi / w) from = 2 * std::copysign(off, from) - from, since -= pi / w;
+        const Real centre = std::copysign(off, from);
+        largest =
+            std::max(largest, std::abs(world.bodies[1].position.x() - centre - (from - centre) * std::cos(w * since)));
+      }
+    }
+    return largest;
+  };
+  CHECK(error(1) == Approx(0.0019).epsilon(0.1));  // the page says so
+  CHECK(error(64) < 1e-4);
+  CHECK(order({1, 4, 16, 64}, error) == Approx(1).margin(0.25));
 }
 
 TEST_CASE("half step: solved exactly, stacks rest where they began") {
