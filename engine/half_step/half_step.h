@@ -29,7 +29,7 @@ struct StepOutcome {
 ///
 /// Contacts are also held in both stages (held_contacts.h), and so are limits, motors and springs (held_joints.h). Rows that
 /// cannot be solved one kind at a time are solved together by newton_from_guess.h. An impact makes a step of first order, unless
-/// `impacts` cuts the step there.
+/// `impacts` cuts the step there, and so does friction that changes sign.
 ///
 /// Where Newton's method does not converge, the step is divided in two, and these again. HalfStep refuses sleeping bodies, springs whose
 /// force has a limit or that oscillate too fast for h, and in a composed step everything that does not run backwards.

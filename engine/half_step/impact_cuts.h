@@ -15,8 +15,8 @@ enum class Impacts { sequential, simultaneous };
 ///   3. an impact of bodies that touch and approach:  J v >= -e v_n,  impulses in the cone, solved directly (chapter 17), with
 ///      a smaller e where e and friction together would add energy
 ///
-/// and again, until the step is over. So bodies that are apart when a step begins cannot pass through each other. A pair that
-/// stays in touch is held as in chapter 24, also at other points.
+/// and again, until the step is over. So bodies without joints that are apart when a step begins cannot pass through each other. A
+/// pair that stays in touch is held as in chapter 24, also at other points.
 ///
 /// A held body may come down with its other end, or turn so far in a drift that it sinks in. The drift is then repeated, and ends when the
 /// sinking begins.
@@ -30,8 +30,8 @@ enum class Impacts { sequential, simultaneous };
 ///
 /// Joined bodies do not fly freely. The half step itself gives their motion, because its drift uses v + h/2 a, where a includes the
 /// joints. The time of touch of bodies that accelerate so is off by O(h^3). Newton's method corrects it, with a half step up to that time
-/// in each round. The impact is solved together with J v = 0 of the joints. A limit that is reached within a step is an impact as well, but
-/// the step is not cut for it.
+/// in each round. A touch that ends before the part does may be missed if it is not deeper than 2/81 h^3 max |x'''|. The impact is
+/// solved together with J v = 0 of the joints. A limit that is reached within a step is an impact as well, but the step is not cut for it.
 class ImpactCuts {
  public:
   static constexpr Real sinks = Real(1e-4);  ///< m: a drift lets a held contact in by no more than this
