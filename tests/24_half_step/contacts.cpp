@@ -63,26 +63,20 @@ TEST_CASE("half step: a ball slides down from a smooth ball, keeps its energy, a
 // Where a contact ends, no force jumps. Cut at impacts, the ball comes off its support by h^2 v^2 / (2 R), and meets it again.
 TEST_CASE("half step: of second order where a body leaves its support, of first if it is cut at impacts") {
   if (!in_double) return;
-  const auto place = [](const HalfStep& kind, int substeps, Real start) {
-    World world;
-    world.add(sphere(1, 1).fixed().rough(0));
-    world.add(sphere(Real(0.5), 1).at({Real(1.5) * std::sin(start), Real(1.5) * std::cos(start), 0}).rough(0));
-    HalfStep step = exact(substeps, kind);
-    for (int i = 0; i < 57; ++i) world.step(step, h);
-    return world.bodies[1].position;
+  const auto places = [](const HalfStep& kind, int substeps) {
+    std::vector<Vec3> all;
+    for (Real start = Real(0.3); start < Real(0.319); start += Real(0.0025)) {  // rad
+      World world;
+      world.add(sphere(1, 1).fixed().rough(0));
+      world.add(sphere(Real(0.5), 1).at(Real(1.5) * Vec3(std::sin(start), std::cos(start), 0)).rough(0));
+      HalfStep step = exact(substeps, kind);
+      for (int i = 0; i < 57; ++i) world.step(step, h);
+      all.push_back(world.bodies[1].position);
+    }
+    return all;
   };
-  std::vector<Real> starts;  // rad
-  std::vector<Vec3> fine;
-  for (Real start = Real(0.3); start < Real(0.319); start += Real(0.0025)) {
-    starts.push_back(start);
-    fine.push_back(place({}, 256, start));
-  }
-  const auto error = [&](const HalfStep& kind, int substeps) {
-    Real largest = 0;
-    for (std::size_t i = 0; i < starts.size(); ++i)
-      largest = std::max(largest, (place(kind, substeps, starts[i]) - fine[i]).norm());
-    return largest;
-  };
+  const std::vector<Vec3> fine = places({}, 256);
+  const auto error = [&](const HalfStep& kind, int substeps) { return largest_distance(places(kind, substeps), fine); };
   CHECK(error({}, 1) == Approx(0.0022).epsilon(0.05));            // the page says so
   CHECK(error(at_impacts(), 1) == Approx(0.0112).epsilon(0.05));  // chapter 25's page says so
   CHECK(order({1, 2, 4, 8, 16}, [&](int n) { return error({}, n); }) == Approx(2).margin(0.1));
@@ -92,8 +86,8 @@ TEST_CASE("half step: of second order where a body leaves its support, of first 
 // x'' = -w^2 x - mu g sgn(x'): half a swing about each of +-mu g / w^2 in turn. The phase within a step is what decides, so of eight.
 TEST_CASE("half step: of first order where the slip of a box on a spring reverses") {
   if (!in_double) return;
-  constexpr Real w = 5, mu = Real(0.1), off = mu * g / (w * w);
-  const auto error = [&](int substeps) {
+  const auto error = [](int substeps) {
+    constexpr Real w = 5, mu = Real(0.1);
     Real largest = 0;
     for (int start = 0; start < 8; ++start) {
       World world;
@@ -105,16 +99,16 @@ TEST_CASE("half step: of first order where the slip of a box on a spring reverse
       for (int i = 0; i < 150; ++i) {
         world.step(step, h);
         since += h;
-        if (since > pi / w) from = 2 * std::copysign(off, from) - from, since -= pi / w;
-        const Real centre = std::copysign(off, from);
+        const Real centre = std::copysign(mu * g / (w * w), from);
+        if (since > pi / w) from = 2 * centre - from, since -= pi / w;
+        const Real about = std::copysign(centre, from);
         largest =
-            std::max(largest, std::abs(world.bodies[1].position.x() - centre - (from - centre) * std::cos(w * since)));
+            std::max(largest, std::abs(world.bodies[1].position.x() - about - (from - about) * std::cos(w * since)));
       }
     }
     return largest;
   };
   CHECK(error(1) == Approx(0.0019).epsilon(0.1));  // the page says so
-  CHECK(error(64) < 1e-4);
   CHECK(order({1, 4, 16, 64}, error) == Approx(1).margin(0.25));
 }
 

@@ -96,40 +96,32 @@ TEST_CASE("joined impact: a double pendulum that meets a wall is off by the squa
 // Between its ends a part is off by no more than 2/81 h^3 max |x'''|, as a parabola through x(0), x'(0) and x(h) is.
 TEST_CASE("joined impact: what touches only within a step may be missed, by less than the parabola's bound") {
   if (!in_double) return;
-  constexpr Real reach = Real(0.1), radius = Real(0.05);  // m, of a piston that swings; of two balls
-  const auto is_seen = [&](Real hertz, Real phase, Real overlap, int substeps) {
-    const auto length = [=](Real t) { return 1 + reach * std::sin(2 * pi * hertz * t - phase); };
+  const auto is_seen = [](Real hertz, Real phase, Real overlap, int substeps) {
+    const Real w = 2 * pi * hertz, reach = Real(0.1), radius = Real(0.05);
+    const auto length = [=](Real t) { return 1 + reach * std::sin(w * t - phase); };
     World world;
     world.gravity.setZero();
-    world.add(
-        sphere(radius, 1).at({length(0), 0, 0}).moving({2 * pi * hertz * reach * std::cos(phase), 0, 0}).rough(0));
+    world.add(sphere(radius, 1).at({length(0), 0, 0}).moving({w * reach * std::cos(phase), 0, 0}).rough(0));
     world.add(sphere(radius, 1).at({1 + reach + 2 * radius - overlap, 0, 0}).rough(0));
     world.joints.push_back(piston(world, the_world, Vec3::Zero(), 0, {length(0), 0, 0}, length));
     HalfStep step = in_parts(substeps);
-    int events = 0;
-    for (int i = 0; static_cast<Real>(i) * hertz < 60; ++i) {
-      world.step(step, h);
-      events += step.events();
-    }
-    return events > 0;
+    while (world.time * hertz < Real(0.99) && step.events() == 0) world.step(step, h);
+    return step.events() > 0;
   };
   const auto missed = [&](Real hertz, int substeps) {  // m
     Real most = 0;
     for (int part = 0; part < 8; ++part) {
-      const Real phase = Real(0.6) + 2 * pi * hertz * h * static_cast<Real>(part) / 8;
-      Real unseen = 0, seen = reach / 2;
-      for (int i = 0; i < 25; ++i) {
-        const Real middle = (unseen + seen) / 2;
+      Real unseen = 0, seen = Real(0.05);
+      while (seen - unseen > Real(1e-9)) {
+        const Real middle = (unseen + seen) / 2, phase = Real(0.6) + pi / 4 * hertz * h * static_cast<Real>(part);
         (is_seen(hertz, phase, middle, substeps) ? seen : unseen) = middle;
       }
       most = std::max(most, unseen);
     }
     return most;
   };
-  for (const Real hertz : {Real(5), Real(10), Real(20)}) {
-    CAPTURE(hertz);
-    const Real bound = 2 * reach * std::pow(2 * pi * hertz * h, Real(3)) / 81;
-    const Real most = missed(hertz, 1);
+  for (const Real hertz : {Real(5), Real(20)}) {
+    const Real bound = Real(0.2) * std::pow(2 * pi * hertz * h, Real(3)) / 81, most = missed(hertz, 1);
     CHECK(most < bound);
     CHECK(most > bound / 8);
   }
