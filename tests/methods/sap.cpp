@@ -116,7 +116,8 @@ TEST_CASE("methods: a particle of Horak and Trinkle hovers under a relaxed cone,
   const auto place = [](auto solver, bool steady) {
     World world;
     world.add(ground().rough(Real(0.3)));
-    world.add(sphere(Real(0.05), Real(0.2)).moving({steady ? Real(0.2) : 0, 0, 0}).at({0, 0.05, 0}).rough(Real(0.3)));
+    world.add(
+        sphere(Real(0.05), Real(0.2)).moving({steady ? Real(0.2) : 0, 0, 0}).at({0, Real(0.05), 0}).rough(Real(0.3)));
     world.bodies[1].principal_inverse_inertia.setConstant(Real(1e-6));  // it hardly turns
     world.forces.push_back({[steady](World& now) {
       Body& ball = now.bodies[1];
