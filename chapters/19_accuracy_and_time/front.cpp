@@ -14,7 +14,7 @@ double Measured::median() const {
   return pushback::median(seconds);
 }
 double Measured::quartile(int which) const {
-  return quantile(seconds, 0.25 * which);
+  return seconds.size() > 1 ? quantile(seconds, 0.25 * which) : seconds.front() * (1 + 0.2 * (which - 2));
 }
 std::string Measured::setting() const {
   return sweeps == 0 ? fmt::format("{}/{}", method, substeps) : fmt::format("{}/{}/{}", method, substeps, sweeps);
@@ -52,6 +52,21 @@ std::optional<Measured> cheapest(const Measurements& all, double error) {
   for (const Measured& one : all)
     if (one.error <= error && (!found || one.median() < found->median())) found = one;
   return found;
+}
+
+int faster(const Measured& one, const Measured& other) {
+  constexpr double least = 1.1;
+  if (other.median() >= least * one.median() && other.quartile(1) > one.quartile(3)) return 1;
+  return one.median() >= least * other.median() && one.quartile(1) > other.quartile(3) ? -1 : 0;
+}
+
+int faster(const Measurements& ones, const Measurements& others, double error) {
+  int sum = 0;
+  for (const double near : {0.8 * error, error, 1.25 * error}) {
+    const auto one = cheapest(ones, near), other = cheapest(others, near);
+    sum += one && other ? faster(*one, *other) : (one ? 1 : 0) - (other ? 1 : 0);
+  }
+  return sum / 3;
 }
 
 double times_slower(const Measurements& ours, const Measurements& theirs, double least, double most) {

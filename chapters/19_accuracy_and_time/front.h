@@ -20,7 +20,7 @@ struct Measured {
   std::vector<double> seconds = {};       ///< for the whole motion, one per round, ascending
 
   double median() const;
-  double quartile(int which) const;  ///< 1 or 3
+  double quartile(int which) const;  ///< 1 or 3; of a single timing a fifth less, or more
   std::string setting() const;       ///< "steady/32/1"
 };
 using Measurements = std::vector<Measured>;
@@ -42,6 +42,14 @@ bool is_near_front(const Measured& one, const Measurements& all, double slack);
 
 /// The fastest with at most this error (m), or nothing if there is none.
 std::optional<Measured> cheapest(const Measurements& all, double error);
+
+/// Which of two settings is the faster: 1 the first, -1 the second. 0: neither, because the quartiles of the ratio of their times
+/// enclose 1, or the ratio of their medians is within a tenth of 1.
+int faster(const Measured& one, const Measured& other);
+
+/// The same of the cheapest settings for errors of 0.8, 1 and 1.25 times `error`, if all three agree; else 0. So no single setting with
+/// an error close to the bound decides. A list that does not reach such an error is the slower one.
+int faster(const Measurements& ones, const Measurements& others, double error);
 
 /// The largest factor by which `ours` takes longer than a point on the front of `theirs` for the same error, over the points with
 /// errors (m) between `least` and `most`. Infinite if `ours` never reaches such an error; 0 if `theirs` has no such point. At most

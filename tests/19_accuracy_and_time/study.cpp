@@ -1,9 +1,8 @@
-/// Chapter 19: fronts and limits of what was measured, the programs that measure, and parts that make the whole. No test looks at a
+/// Chapter 19: limits of what was measured, the programs that measure, and parts that make the whole. No test looks at a
 /// clock.
 #include <fmt/format.h>
 
 #include <cmath>
-#include <random>
 
 #include "pushback/common/basics/input.h"
 #include "pushback/tools/measure/results/origin.h"
@@ -16,97 +15,6 @@
 
 using namespace pushback;
 using namespace pushback::study;
-
-// ---- front -----------------------------------------------------------------------------------------------------------
-
-namespace {
-
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
-/// Settings of few methods, knobs, times and errors, so that many are alike; some are lost, or given up.
-Measurements some(std::mt19937& random) {
-  Measurements found;
-  for (std::size_t count = 1 + random() % 30; found.size() < count;) {
-    const auto end = random() % 12;
-    found.push_back({.engine = random() % 2 == 0 ? "motion" : "motion_ode",
-                     .method = random() % 2 == 0 ? "slim" : "soft",
-                     .substeps = 1 << random() % 5,
-                     .sweeps = static_cast<int>(random() % 3),
-                     .error = end < 2 ? infinite : static_cast<double>(random() % 8),
-                     .late = end == 0,
-                     .seconds = {1 + static_cast<double>(random() % 8)}});
-  }
-  return found;
-}
-bool no_worse(const Measured& one, const Measured& other) {
-  return one.median() <= other.median() && one.error <= other.error;
-}
-
-}  // namespace
-
-TEST_CASE("the front is sorted, nobody on it is worse than another, and all else is; the cheapest is the fastest") {
-  std::mt19937 random(14);
-  for (int trial = 0; trial < 500; ++trial) {
-    const Measurements all = some(random), found = front(all);
-    for (std::size_t i = 1; i < found.size(); ++i) {
-      CHECK(found[i - 1].median() < found[i].median());
-      CHECK(found[i - 1].error > found[i].error);
-    }
-    for (const Measured& one : all) {
-      const auto beats = [&](const Measured& other) { return no_worse(other, one); };
-      CHECK((!std::isfinite(one.error) || std::any_of(found.begin(), found.end(), beats)));
-      for (const double slack : {1.0, 2.0, 3.5}) {
-        const auto is_far_better = [&](const Measured& other) {
-          return other.error <= one.error && slack * other.median() < one.median();
-        };
-        CHECK(is_near_front(one, all, slack) ==
-              (std::isfinite(one.error) && std::none_of(all.begin(), all.end(), is_far_better)));
-      }
-    }
-    for (const Measured& one : found)
-      for (const Measured& other : all) CHECK((!no_worse(other, one) || no_worse(one, other)));
-    for (double error = -0.5; error < 9; ++error) {
-      double least = infinite;
-      for (const Measured& one : all)
-        if (one.error <= error) least = std::min(least, one.median());
-      const auto nearest = cheapest(all, error);
-      REQUIRE(nearest.has_value() == std::isfinite(least));
-      if (nearest) CHECK((nearest->median() == least && nearest->error <= error));
-    }
-  }
-  CHECK(front({}).empty());
-  CHECK(!cheapest({}, 1));
-}
-
-TEST_CASE("a robust error is the largest of all that are as fine, and what is good by chance is not chosen") {
-  std::mt19937 random(15);
-  for (int trial = 0; trial < 200; ++trial) {
-    const Measurements all = some(random), counted = robust(all);
-    REQUIRE(counted.size() == all.size());
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      double largest = all[i].error;
-      for (const Measured& finer : all)
-        if (!finer.late && finer.engine == all[i].engine && finer.method == all[i].method &&
-            finer.substeps >= all[i].substeps && finer.sweeps >= all[i].sweeps)
-          largest = std::max(largest, finer.error);
-      CHECK(counted[i].error == largest);
-      CHECK((counted[i].setting() == all[i].setting() && counted[i].seconds == all[i].seconds));
-    }
-  }
-  for (int lucky = 0; lucky < 5; ++lucky) {  // errors fall with the step, but for one that is fast enough to be chosen
-    Measurements all;
-    for (int i = 0; i < 6; ++i)
-      all.push_back({.engine = "motion",
-                     .method = "slim",
-                     .substeps = 1 << i,
-                     .sweeps = 1,
-                     .error = std::ldexp(i == lucky ? 0.01 : 1, -i),
-                     .seconds = {std::ldexp(1, i)}});
-    const double wanted = all[static_cast<std::size_t>(lucky)].error;
-    CHECK(cheapest(all, wanted)->substeps == 1 << lucky);
-    CHECK(!cheapest(robust(all), wanted));
-  }
-}
 
 // ---- limits ----------------------------------------------------------------------------------------------------------
 
@@ -205,24 +113,29 @@ TEST_CASE("a program that fails, or prints what is no measurement, is named") {
   CHECK(failure("a/SMALL-STEPS/SWEEPS: method\\n", "*) kill -9 $$;;").empty());  // what crashes is lost
 }
 
-TEST_CASE("one method is measured again, as often as before, and nothing else") {
+TEST_CASE("one method is measured again, in rounds if it is near a front, or a whole engine, and nothing else") {
   const Scratch scratch;
-  write_program(scratch / "motion_odd", "", "*) echo \"$s error 2e-3 seconds 2e-2 row-solves 5\";;");
+  const std::string answers = "*) echo \"$s error 2e-3 seconds 2e-2 row-solves 5\";;";
+  write_program(scratch / "motion_odd", "", answers);
+  write_program(scratch / "motion_mine", "new/SMALL-STEPS: method\\n", answers);
   const auto before = [](const std::string& method, int substeps, const std::vector<double>& seconds) {
     return Measured{
         .engine = "motion_odd", .method = method, .substeps = substeps, .sweeps = 1, .error = 1, .seconds = seconds};
   };
-  Measurements all{before("a", 1, {1, 2, 3}), before("b", 1, {1, 2}), before("a", 2, {1})};
+  Measurements all{before("a", 1, {1, 2, 3}), before("b", 1, {1, 2}), before("a", 2, {1}), before("old", 1, {1})};
+  all[3].engine = "motion_mine";
   const auto again = [&](const std::string& method) {
     return measure_again(method, motion_named("bounce"), {.engines = {}, .programs = scratch / "."}, all);
   };
   CHECK(again("a") == 2);
-  CHECK(all[0].seconds == std::vector<double>(3, 0.02));
+  CHECK(all[0].seconds == std::vector<double>(1 + 10, 0.02));
   CHECK(all[1].seconds == std::vector<double>{1, 2});
-  CHECK(all[2].seconds == std::vector<double>{0.02});
+  CHECK(all[2].seconds == std::vector<double>(1 + 10, 0.02));
   CHECK(all[0].error == 2e-3);
   CHECK(all[1].error == 1);
   CHECK(again("c") == 0);
+  CHECK(again("motion_mine") == 12);
+  CHECK((all[1].seconds.size() == 2 && all[3].setting() == "new/1" && all[3].seconds.size() == 1 + 10));
 }
 
 TEST_CASE("what is no line of measurements is refused") {
@@ -287,6 +200,34 @@ TEST_CASE(
   const Ended back = call_program(MOTION_WIDE_PROGRAM, "pendulum-at-wall order-4/1");
   CHECK(back.status == 2);  // contacts do not go back in time
   CHECK(back.out.empty());
+}
+
+TEST_CASE("the committed tables are those of the committed measurements") {
+  const AllMeasured measured = read_csv(text_of("renders/19_accuracy_and_time/study.csv"));
+  std::vector<MotionMeasured> all;
+  for (const Motion& motion : every_motion()) all.push_back({&motion, measured.at(motion.name)});
+  for (const auto& [file, table] : {std::pair{"regimes", table_of_regimes(all)},
+                                    {"next", table_of_next(all)},
+                                    {"half_steps", table_of_half_steps(all)},
+                                    {"once", table_of_once(all)},
+                                    {"cheapest", table_of_cheapest(all)},
+                                    {"engines", table_of_engines(all, engines_of(measured))},
+                                    {"others", table_of_others(all, engines_of(measured))}}) {
+    INFO(file);
+    CHECK(table == text_of(fmt::format("renders/19_accuracy_and_time/{}.md", file)));
+  }
+  const Scratch scratch;
+  const fs::path folder = scratch / "26_to_each_its_own";
+  fs::create_directories(folder);
+  fs::copy("renders/26_to_each_its_own/prices.csv", folder);
+  REQUIRE(call_program(PRICES_PROGRAM, "--redraw --out '" + (scratch / "").string() + "'").status == 0);
+  CHECK(text_of(folder / "prices.md") == text_of("renders/26_to_each_its_own/prices.md"));
+  const auto lines = [&] { return lines_of(text_of(folder / "prices.csv")); };
+  const std::size_t before = lines().size();
+  REQUIRE(call_program(PRICES_PROGRAM, "--renew gaps --rounds 1 --out '" + (scratch / "").string() + "'").status == 0);
+  CHECK(lines().size() == before);  // of engines that are not built, too
+  CHECK(lines_of(text_of(folder / "prices.md"))[2] == lines_of(text_of("renders/26_to_each_its_own/prices.md"))[2]);
+  CHECK(call_program(PRICES_PROGRAM, "--renew nothing --out '" + (scratch / "").string() + "'").status == 2);
 }
 
 // ---- the program -----------------------------------------------------------------------------------------------------

@@ -12,6 +12,9 @@
 ///   Six<!-- cases with joints in words -->, Eighteen<!-- motions in words -->: of the study
 ///   38.3<!-- study; chain; by-island/1/1 -->  µs for 1/60 s of a motion, in the study's table, renders/19_accuracy_and_time/study.csv:
 ///                                             the median of its plays by that setting of the solvers that divide a step themselves
+///   7,801<!-- study; settings; ours -->       so many settings of ours, or of others, are in that table
+///   0.27<!-- cell; next; 1 mm; 1,015 -->      a number in a table that a program has written: its file in renders/, without a folder of
+///                                             chapter 19; a column; words that only that row has; #2 at the end: the cell's second
 /// PUSHBACK_WRITE_FIGURES=1 in the environment writes the figures anew.
 #include <algorithm>
 #include <cctype>
@@ -23,6 +26,7 @@
 #include "pushback/common/experiment/parameter.h"
 #include "pushback/tools/measure/hard_cases/peers.h"
 #include "pushback/tools/measure/study/every_motion.h"
+#include "pushback/tools/measure/study/rounds.h"
 #include "tests/support/call.h"
 
 using namespace pushback;
@@ -38,6 +42,17 @@ const Table& beside_engines() {
   static const Table table =
       beside_peers(ours(), read_table_csv(text_of("renders/hard_cases/peers.csv"), peer_stages()));
   return table;
+}
+
+/// Without the spaces around them.
+std::vector<std::string> parts_of(const std::string& mark, char between = ';') {
+  std::vector<std::string> parts;
+  std::istringstream in(mark);
+  for (std::string part; std::getline(in, part, between);) {
+    const std::size_t begin = part.find_first_not_of(" \n"), end = part.find_last_not_of(" \n");
+    parts.push_back(begin == std::string::npos ? "" : part.substr(begin, end + 1 - begin));
+  }
+  return parts;
 }
 
 /// Where the name is that is `word`, or the only one that has it in it; behind the last where there is not exactly one.
@@ -82,9 +97,19 @@ std::string figure_in(const Table& table, const std::vector<std::string>& mark) 
   return in_short((mark.size() == 4 ? outcome.numbers : outcome.largest)[i], criterion.limit, criterion.unit);
 }
 
+/// How many of its lines are of our programs, or of others: 7,801.
+std::string settings_of_study(bool ours) {
+  std::size_t count = 0;
+  for (const auto& [motion, measured] : study::read_csv(text_of("renders/19_accuracy_and_time/study.csv")))
+    for (const study::Measured& one : measured)
+      count += (study::engines_named({one.engine})[0].maker == study::ours) == ours ? 1 : 0;
+  return fmt::format("{},{:03}", count / 1000, count % 1000);
+}
+
 /// Of "study", a motion and a setting.
 std::string figure_of_study(const std::vector<std::string>& mark) {
   if (mark.size() != 3) return {};
+  if (mark[1] == "settings") return settings_of_study(mark[2] == "ours");
   static const std::vector<std::string> lines = lines_of(text_of("renders/19_accuracy_and_time/study.csv"));
   std::string setting = mark[2];
   std::ranges::replace(setting, '/', ',');
@@ -96,6 +121,32 @@ std::string figure_of_study(const std::vector<std::string>& mark) {
   std::getline(std::getline(std::getline(rest, error, ','), row_solves, ','), median, ',');
   const double microseconds = 1e6 * std::stod(median) / any_motion_named(mark[1]).frames();
   return microseconds < 999.5 ? fmt::format("{:.3g}", microseconds) : fmt::format("{:.0f}", microseconds);
+}
+
+/// Of "cell", a file, a column, words of a row, and sometimes which number it is.
+std::string figure_of_cell(std::vector<std::string> mark) {
+  std::ptrdiff_t which = 0;
+  if (mark.back().starts_with('#')) {
+    which = std::stoi(mark.back().substr(1)) - 1;
+    mark.pop_back();
+  }
+  if (mark.size() < 4) return {};
+  const std::string folder = contains(mark[1], "/") ? "renders/" : "renders/19_accuracy_and_time/";
+  std::vector<std::string> rows = lines_of(text_of(folder + mark[1] + ".md"));
+  if (rows.empty()) return {};
+  const std::vector<std::string> heads = parts_of(rows[0], '|');
+  const std::size_t column = place_of(mark[2], heads);
+  std::erase_if(rows, [&](const std::string& row) {
+    return !std::all_of(mark.begin() + 3, mark.end(), [&](const std::string& word) { return contains(row, word); });
+  });
+  if (rows.size() != 1 || column == heads.size()) return {};
+  const std::string cell = parts_of(rows[0], '|').at(column);
+  static const std::regex number(R"re([0-9][0-9.,]*(e-?[0-9]+)?)re");
+  std::sregex_iterator found(cell.begin(), cell.end(), number);
+  for (const std::sregex_iterator end; found != end && which > 0; --which) ++found;
+  std::string figure = found == std::sregex_iterator() ? "" : found->str();
+  while (figure.ends_with(',') || figure.ends_with('.')) figure.pop_back();
+  return figure;
 }
 
 /// What should stand before the mark; empty where the mark names nothing.
@@ -110,6 +161,7 @@ std::string figure_of(const std::vector<std::string>& mark) {
       return !world.joints.empty();
     })));
   if (mark[0] == "study") return figure_of_study(mark);
+  if (mark[0] == "cell") return figure_of_cell(mark);
   if (mark[0] != "peers") return figure_in(ours(), mark);
   if (mark.size() > 2) return figure_in(beside_engines(), {mark.begin() + 1, mark.end()});
   const std::vector<std::string> kinds{"nobody", "ours", "engine", "both", "nothing"};
@@ -117,21 +169,11 @@ std::string figure_of(const std::vector<std::string>& mark) {
   return kind == kinds.size() ? "" : std::to_string(passed_by(beside_engines())[kind].size());
 }
 
-std::vector<std::string> parts_of(const std::string& mark) {
-  std::vector<std::string> parts;
-  std::istringstream in(mark);
-  for (std::string part; std::getline(in, part, ';');) {
-    const std::size_t begin = part.find_first_not_of(" \n"), end = part.find_last_not_of(" \n");
-    parts.push_back(begin == std::string::npos ? "" : part.substr(begin, end + 1 - begin));
-  }
-  return parts;
-}
-
 /// Where the figure, or the word, begins that ends at `end`.
 std::size_t start_of_figure(const std::string& text, std::size_t end, bool word) {
   const auto is_part = [&](unsigned char c) {
     return word ? std::isalpha(c) != 0 || c == '-'
-                : std::isdigit(c) != 0 || c == '.' || c == '/' || c == '-' || c >= 0x80;
+                : std::isdigit(c) != 0 || c == '.' || c == ',' || c == '/' || c == '-' || c >= 0x80;
   };
   for (const std::string unit : {"mrad/s", "mrad", "mm/s", "m/s", "mm", "m", "mJ", "J", "%", "degrees"}) {
     const std::size_t size = unit.size() + 1;

@@ -46,6 +46,10 @@ class Report {
     table("cheapest.md", table_of_cheapest(all_));
     table("engines.md", table_of_engines(all_, engines));
     table("others.md", table_of_others(all_, engines));
+    table("regimes.md", table_of_regimes(all_));
+    table("next.md", table_of_next(all_));
+    table("half_steps.md", table_of_half_steps(all_));
+    table("once.md", table_of_once(all_));
     table("knobs.md", table_of_knobs(all_));
     table("limits.md", table_of_limits(all_));
     table("hops.md", table_of_hops(all_));
@@ -96,10 +100,12 @@ AllMeasured stored(const Asked& asked, const std::filesystem::path& programs, co
   make_writable_folder(folder);
   if (asked.renew.empty()) return all;
   std::size_t settings = 0;
-  for (const Motion& motion : motions)
+  for (const Motion& motion : motions) {
     settings += measure_again(asked.renew, motion, {.engines = {}, .programs = programs, .say = say}, all[motion.name]);
-  if (settings == 0) throw InvalidInput(fmt::format("--renew: {} has no method '{}'", file.string(), asked.renew));
-  write_text_file(file, csv_of(all));
+    write_text_file(file, csv_of(all));  // the run may yet be ended
+  }
+  if (settings == 0)
+    throw InvalidInput(fmt::format("--renew: {} has no method or engine '{}'", file.string(), asked.renew));
   return all;
 }
 
@@ -165,7 +171,7 @@ int main(int argc, char** argv) {
       "Motions that study.csv in that folder has stay as they are, of a run that was ended; the others are measured");
   line.flag("--redraw", asked.redraw, "Nothing is measured: pictures and tables of what is in study.csv");
   line.option("--renew", asked.renew,
-              "within: only this method is measured, as often as before; all else in study.csv stays as it is");
+              "within, motion_mujoco: only this method or engine is measured; all else in study.csv stays as it is");
   line.option("--only", asked.only, "These motions");
   line.option("--shard", asked.shard, "2/5: the second of five parts, for a machine of its own, into shard_2_of_5");
   line.option("--join", asked.parts, "5: nothing is measured; pictures and tables of five such parts").between(2, 1000);

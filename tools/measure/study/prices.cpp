@@ -1,17 +1,17 @@
-/// ./course run prices: what the three presets cost, and by how much they are off, beside the engines that were built.
-#include <array>
+/// ./course run prices: what the three presets cost, and by how much they are off, beside the engines that were built. All of it is in
+/// prices.csv, from which prices.md is made.
 #include <cmath>
 #include <filesystem>
 
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/process.h"
-#include "pushback/common/basics/quantile.h"
 #include "pushback/common/experiment/program.h"
 #include "pushback/engine/presets.h"
 #include "pushback/tools/measure/results/markdown.h"
 #include "pushback/tools/measure/results/origin.h"
 #include "pushback/tools/measure/study/every_motion.h"
 #include "pushback/tools/measure/study/ours.h"
+#include "pushback/tools/measure/study/rounds.h"
 
 using namespace pushback;
 using study::Measured;
@@ -21,16 +21,19 @@ namespace {
 
 struct Contender {
   std::string title;
+  Measured setting;
   /// Once. Nothing where an engine has no way to play the motion.
   std::function<std::optional<Measured>(const Motion&, const std::vector<Places>& truth)> play;
 };
 
 template <class Preset>
-Contender of_preset(const std::string& title) {
+Contender of_preset(const std::string& title, const std::string& name) {
   const Preset preset;
-  const Method method{.name = title, .title = title, .begin = by_ours(preset), .divides = true};
+  const Method method{.name = name, .title = title, .begin = by_ours(preset), .sweeps = false, .divides = true};
   const Setting setting{.sweeps = preset.plan(Real(1) / frames_per_second).sweeps};
-  return {title, [method, setting](const Motion& motion, const std::vector<Places>& truth) {
+  return {title,
+          {.engine = "presets", .method = name},
+          [method, setting](const Motion& motion, const std::vector<Places>& truth) {
             return std::optional(play(motion, truth, method, setting, {.at_least = 0, .at_most = 3600}));
           }};
 }
@@ -40,8 +43,9 @@ struct WithinATenth : Recommended {  // of a millimetre
 };
 
 /// One of the programs that play motions by other engines, in a setting of its.
-Contender of_program(const std::string& title, const fs::path& program, const Measured& setting) {
-  return {title, [program, setting](const Motion& motion, const std::vector<Places>&) -> std::optional<Measured> {
+Contender of_program(const std::string& title, const fs::path& programs, const Measured& setting) {
+  const fs::path program = programs / setting.engine;
+  return {title, setting, [program, setting](const Motion& motion, const auto&) -> std::optional<Measured> {
             const Ended methods = run_program({program.string(), motion.name});
             if (methods.out.find(setting.method + "/") == std::string::npos) return {};
             const Ended ended = run_program({program.string(), motion.name, setting.setting(), "--at-least", "0"});
@@ -54,16 +58,40 @@ Contender of_program(const std::string& title, const fs::path& program, const Me
 }
 
 std::vector<Contender> contenders(const fs::path& programs) {
-  std::vector<Contender> all{of_preset<Fast>("Fast"), of_preset<Recommended>("Recommended"),
-                             of_preset<WithinATenth>("Recommended, 0.1 mm asked"), of_preset<Exact>("Exact")};
+  std::vector<Contender> all{of_preset<Fast>("Fast", "fast"), of_preset<Recommended>("Recommended", "recommended"),
+                             of_preset<WithinATenth>("Recommended, 0.1 mm asked", "recommended-0.1-mm"),
+                             of_preset<Exact>("Exact", "exact")};
   const std::vector<std::pair<const char*, Measured>> others{{"Bullet", {"motion_bullet", "bullet", 1, 10}},
                                                              {"ODE", {"motion_ode", "ode", 1, 20}},
                                                              {"MuJoCo", {"motion_mujoco", "mujoco-default", 1}},
                                                              {"Box3D", {"motion_box3d", "box3d", 4}},
                                                              {"Jolt", {"motion_jolt", "jolt", 1}}};
-  for (const auto& [title, setting] : others)
-    if (fs::exists(programs / setting.engine)) all.push_back(of_program(title, programs / setting.engine, setting));
+  for (const auto& [title, setting] : others) all.push_back(of_program(title, programs, setting));
   return all;
+}
+
+bool is_here(const Measured& setting, const fs::path& programs) {
+  return setting.engine == "presets" || fs::exists(programs / setting.engine);
+}
+
+/// All that are here, in turn, so many rounds.
+study::Measurements measured(const Motion& motion, std::vector<Contender> all, const fs::path& programs, int rounds) {
+  std::erase_if(all, [&](const Contender& one) { return !is_here(one.setting, programs); });
+  const std::vector<Places> truth = motion.truth(motion.frames());
+  std::vector<std::optional<Measured>> found(all.size());
+  for (int round = 0; round < rounds; ++round)
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto once = all[i].play(motion, truth);
+      if (round == 0) found[i] = once;
+      else if (once) found[i]->seconds.push_back(once->median());
+    }
+  study::Measurements played;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!found[i]) continue;
+    played.push_back(*found[i]);
+    played.back().engine = all[i].setting.engine;
+  }
+  return played;
 }
 
 /// Error in mm and us a step, in two digits or whole numbers.
@@ -77,22 +105,21 @@ std::string said(const Motion& motion, const Measured& one) {
                 : off;  // what is lost before it has moved has taken no time
 }
 
-std::string table_of(const std::vector<Contender>& all, int rounds) {
+std::string table_of(const study::AllMeasured& all, const std::vector<Contender>& columns) {
   std::vector<std::string> heads{"error in mm; µs a step"};
-  for (const Contender& one : all) heads.push_back(one.title);
+  for (const Contender& one : columns) heads.push_back(one.title);
   std::string table = markdown_heads(heads);
   for (const Motion& motion : every_motion()) {
-    const std::vector<Places> truth = motion.truth(motion.frames());
-    std::vector<std::optional<Measured>> measured(all.size());
-    for (int round = 0; round < rounds; ++round)
-      for (std::size_t i = 0; i < all.size(); ++i) {
-        const auto once = all[i].play(motion, truth);
-        if (round == 0) measured[i] = once;
-        else if (once) measured[i]->seconds.push_back(once->median());
-      }
-    std::vector<std::string> row{motion.title};
-    for (const auto& one : measured) row.push_back(one ? said(motion, *one) : "–");
-    table += markdown_row(row);
+    const auto row = all.find(motion.name);
+    if (row == all.end()) continue;
+    std::vector<std::string> cells{motion.title};
+    for (const Contender& column : columns) {
+      const auto found = std::ranges::find_if(row->second, [&](const Measured& one) {
+        return one.engine == column.setting.engine && one.setting() == column.setting.setting();
+      });
+      cells.push_back(found == row->second.end() ? "–" : said(motion, *found));
+    }
+    table += markdown_row(cells);
   }
   return table;
 }
@@ -103,17 +130,33 @@ int main(int argc, char** argv) {
   CommandLine line(
       "Error and time of the presets Fast, Recommended, also with 0.1 mm asked, and Exact; and of other engines as "
       "they come.");
-  int rounds = 5;
+  int rounds = 10;
+  bool redraw = false;
+  std::vector<std::string> renew;
   std::string out = "renders/here";
   line.option("--rounds", rounds, "Each plays so often, in turn; times are medians").between(1, 1000).shows_default();
+  line.option("--renew", renew,
+              "These motions are measured, by the engines that are built; the rest of prices.csv stays");
+  line.flag("--redraw", redraw, "Nothing is measured: the table of what is in prices.csv");
   line.option("--out", out, "The folder to write to").shows_default();
   return line.run(argc, argv, [&] {
-    const fs::path folder = fs::path(out) / "26_to_each_its_own";
+    const fs::path folder = fs::path(out) / "26_to_each_its_own", file = folder / "prices.csv";
+    const fs::path programs = fs::canonical("/proc/self/exe").parent_path();
+    const std::vector<Contender> all = contenders(programs);
+    std::vector<Motion> motions;
+    for (const std::string& name : renew) motions.push_back(any_motion_named(name));
+    study::AllMeasured prices;
+    if (redraw || !renew.empty()) prices = study::read_csv(read_text_file(file));
+    else motions = every_motion();
     make_writable_folder(folder);
     const std::string load = load_now();
-    const std::string table = table_of(contenders(fs::canonical("/proc/self/exe").parent_path()), rounds);
-    write_text_file(folder / "prices.md",
-                    fmt::format("{}\nLoad of the machine before and after: {} and {}.\n", table, load, load_now()));
-    fmt::print("{}", table);
+    for (const Motion& motion : motions) {
+      study::Measurements& row = prices[motion.name];
+      std::erase_if(row, [&](const Measured& one) { return is_here(one, programs); });
+      for (const Measured& one : measured(motion, all, programs, rounds)) row.push_back(one);
+      write_text_file(file, study::csv_of(prices));
+    }
+    write_text_file(folder / "prices.md", table_of(prices, all));
+    fmt::print("{}\nLoad of the machine before and after: {} and {}.\n", table_of(prices, all), load, load_now());
   });
 }

@@ -7,36 +7,22 @@
 
 #include "pushback/tools/measure/results/markdown.h"
 #include "pushback/tools/measure/results/origin.h"
+#include "pushback/tools/measure/study/choice.h"
 #include "pushback/tools/measure/study/limits.h"
 
 namespace pushback::study {
 
 namespace {
 
-struct Tolerance {
-  double error;  // m
-  const char* name;
-};
-constexpr Tolerance tolerances[] = {{1e-2, "1 cm"}, {1e-3, "1 mm"}, {1e-4, "0.1 mm"}, {1e-6, "1 µm"}};
-
-template <class Which>
-Measurements those(const Measurements& all, const Which& which) {
-  Measurements found;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(found), which);
-  return found;
-}
-Measurements of_engine(const Measurements& all, const std::string& engine) {
-  return those(all, [&](const Measured& one) { return one.engine == engine; });
-}
-Measurements of_method(const Measurements& all, const std::string& method) {
-  return those(all, [&](const Measured& one) { return one.method == method; });
-}
-/// By robust errors.
-Measurements of_maker(const Measurements& all, const std::string& maker) {
-  return robust(those(all, [&](const Measured& one) {
-    return std::any_of(known_engines().begin(), known_engines().end(),
-                       [&](const Engine& engine) { return engine.name == one.engine && engine.maker == maker; });
-  }));
+/// A stroke from quartile to quartile of each time.
+void add_quartiles(Panel& panel, const Measurements& points, const Motion& motion) {
+  Curve strokes{"", {}, {}, "#909090"};
+  for (const Measured& one : points)
+    for (const double seconds : {one.quartile(1), one.quartile(3), std::nan("")}) {
+      strokes.x.push_back(static_cast<Real>(1000 * seconds / motion.seconds));
+      strokes.y.push_back(static_cast<Real>(one.error));
+    }
+  if (!points.empty()) panel.curves.push_back(strokes);
 }
 
 void add_curve(Panel& panel, const Measurements& points, const Motion& motion, Curve curve) {
@@ -61,11 +47,6 @@ void add_tolerances(Panel& panel) {
     panel.lines.push_back({static_cast<Real>(tolerance.error), tolerance.name});
 }
 
-/// So many digits, and no exponent; of what is larger, all before the point.
-std::string plain(double value, int digits = 3) {
-  return value < 99.5 ? fmt::format("{:.{}g}", value, digits) : fmt::format("{:.0f}", value);
-}
-
 /// Of all methods of these engines, in steps down to `finest`; float is left to those that have nothing else.
 std::string least_remaining(const Measurements& all, const std::vector<std::string>& engines, int finest) {
   std::pair<std::string, Limit> least;
@@ -78,11 +59,6 @@ std::string least_remaining(const Measurements& all, const std::vector<std::stri
 
 const char* in_float(const Measured& ours) {
   return ours.engine == "motion_float" ? " in float" : "";
-}
-
-/// us of wall time for a frame.
-double per_frame(const Motion& motion, double seconds) {
-  return 1e6 * seconds / motion.frames();
 }
 
 }  // namespace
@@ -101,6 +77,7 @@ Panel work_precision(const MotionMeasured& measured, const std::vector<Engine>& 
                 engines[i].dashed ? Curve::Style::dashed : Curve::Style::line_and_points};
     if (engines[i].dashed) curve.marker = marker_of(engines[i].colour + 3);
     add_curve(panel, front(robust(settings)), motion, curve);
+    add_quartiles(panel, front(robust(settings)), motion);
   }
   return panel;
 }
@@ -142,6 +119,8 @@ std::string table_of_cheapest(const std::vector<MotionMeasured>& all) {
       const auto found = cheapest(our, tolerance.error);
       row.emplace_back("not reached");
       if (!found) continue;
+      const auto other =
+          cheapest(those(our, [&](const Measured& one) { return one.method != found->method; }), tolerance.error);
       // What remains is in double, where its method was played with all steps.
       const std::string engine = found->engine == "motion_float" ? "motion" : found->engine;
       row.back() = fmt::format(
@@ -149,6 +128,7 @@ std::string table_of_cheapest(const std::vector<MotionMeasured>& all) {
           frame(found->median()), frame(found->quartile(1)), frame(found->quartile(3)),
           found->row_solves ? plain(*found->row_solves / measured.motion->frames()) : "–", plain(1000 * found->error),
           limit_of(measured.all, engine, found->method, found->sweeps).remains());
+      if (other && faster(*found, *other) == 0) row.back() += fmt::format("; equal: `{}`", other->setting());
     }
     text += markdown_row(row);
   }
@@ -171,8 +151,10 @@ std::string table_of_engines(const std::vector<MotionMeasured>& all, const std::
     for (const std::string& maker : makers) {
       const Measurements settings = of_maker(measured.all, maker), best = front(settings);
       const auto found = cheapest(settings, 1e-3);
+      const bool equal = maker != ours && found && faster(of_maker(measured.all, ours), settings, 1e-3) == 0;
       row.push_back(best.empty() ? "–"
-                    : found      ? fmt::format("{} µs, `{}`{}", frame(*found), found->setting(), in_float(*found))
+                    : found      ? fmt::format("{} µs, `{}`{}{}", frame(*found), found->setting(), in_float(*found),
+                                          equal ? ", equal" : "")
                                  : fmt::format("not below {} mm", plain(1000 * best.back().error, 2)));
     }
     text += markdown_row(row);
@@ -194,7 +176,8 @@ std::string table_of_others(const std::vector<MotionMeasured>& all, const std::v
         const auto found = cheapest(theirs, tolerance.error), best = cheapest(our, tolerance.error);
         row.push_back(!found  ? "not reached"
                       : !best ? fmt::format("{} µs, we not at all", plain(per_frame(*measured.motion, found->median())))
-                              : fmt::format("{} times as long", plain(found->median() / best->median(), 2)));
+                              : fmt::format("{} times as long{}", plain(found->median() / best->median(), 2),
+                                            faster(our, theirs, tolerance.error) == 0 ? ", equal" : ""));
       }
       const double slower = times_slower(our, theirs, 1e-5, 1e-1);
       row.push_back(theirs.empty()       ? "it does not play this"

@@ -33,6 +33,16 @@ std::string table_of_engines(const std::vector<MotionMeasured>& all, const std::
 /// as h -> 0, in the same steps, each by the method of which the least does.
 std::string table_of_others(const std::vector<MotionMeasured>& all, const std::vector<Engine>& engines);
 
+/// How many motions ours plays faster than all other engines, for six errors, with all of our settings and with some; and by which factor
+/// the next engine is slower, in the median: for all motions, for those that are piecewise quadratic or rest, for the others.
+std::string table_of_regimes(const std::vector<MotionMeasured>& all);
+/// A row a motion: the fastest other engine for each of the six errors, and the ratio of its time to ours.
+std::string table_of_next(const std::vector<MotionMeasured>& all);
+/// Our least time for 1 cm, 1 mm and 0.1 mm without the methods of chapters 24 to 27, and with them.
+std::string table_of_half_steps(const std::vector<MotionMeasured>& all);
+/// Our least time with contacts detected in each substep, and detected once in 1/60 s.
+std::string table_of_once(const std::vector<MotionMeasured>& all);
+
 /// A row a knob and motion: by what a doubling changes error and time, from slopes; warm against cold, float against double.
 std::string table_of_knobs(const std::vector<MotionMeasured>& all);
 /// Error against the two knobs that are numbers, in the rows of table_of_knobs.

@@ -20,7 +20,10 @@ namespace pushback::study {
 
 namespace {
 
-constexpr double slack = 1.25;  // times as slow as the front, and still timed again
+constexpr double slack = 1.25;      // times as slow as the front, and still timed again
+constexpr double near_slack = 1.1;  // and timed until its time is known to `close_enough`
+constexpr int few_rounds = 3, enough_rounds = 10, most_rounds = 20;
+constexpr double close_enough = 1.1;  // between the quartiles of a time: those of a ratio are then within a tenth of it
 
 /// Nothing where the program crashed.
 std::optional<std::vector<std::string>> said_or_crashed(const std::vector<std::string>& command) {
@@ -103,13 +106,35 @@ class Asking {
   const RoundOptions& options_;
 };
 
-/// From `first` on.
-Indices indices_of_those_near_front(const Measurements& all, std::size_t first) {
-  const Measurements latest = robust({all.begin() + static_cast<std::ptrdiff_t>(first), all.end()});
-  Indices found;
-  for (std::size_t i = 0; i < latest.size(); ++i)
-    if (is_near_front(latest[i], latest, slack)) found.push_back(first + i);
-  return found;
+/// Those near the robust front of their engine; of the methods that `Recommended` is made of, also near their own.
+Indices near_fronts(const Measurements& all, Indices which, double slower) {
+  const Measurements latest = robust(all);
+  std::erase_if(which, [&](std::size_t i) {
+    const Measured& one = latest[i];
+    const auto is_near = [&](bool own) {
+      Measurements others = latest;
+      std::erase_if(others, [&](const Measured& other) {
+        return other.engine != one.engine || (own && other.method != one.method);
+      });
+      return is_near_front(one, others, slower);
+    };
+    return !is_near(false) && !((one.method == "by-island" || one.method == "within") && is_near(true));
+  });
+  return which;
+}
+
+/// Times these settings, all of them in every round before the next begins: three rounds, then further rounds for those that are still
+/// near a front, until their times are known.
+void play_rounds(const Asking& asking, const Motion& motion, const RoundOptions& options, Measurements& all,
+                 Indices which) {
+  for (int round = 1; round <= (options.quick ? 1 : most_rounds) && !which.empty(); ++round) {
+    options.say(fmt::format("{}: round {}, {} settings near a front", motion.name, round, which.size()));
+    asking.play(all, which);
+    if (round < few_rounds) continue;
+    which = near_fronts(all, which, near_slack);
+    if (round < enough_rounds) continue;
+    std::erase_if(which, [&](std::size_t i) { return all[i].quartile(3) <= close_enough * all[i].quartile(1); });
+  }
 }
 
 }  // namespace
@@ -184,34 +209,34 @@ Measurements measure(const Motion& motion, const RoundOptions& options) {
     Indices latest;
     for (std::size_t i = first; i < all.size(); ++i) latest.push_back(i);
     asking.play(all, latest);
-    latest = indices_of_those_near_front(all, first);
+    latest = near_fronts(all, latest, slack);
     near.insert(near.end(), latest.begin(), latest.end());
   }
-  const int rounds = options.quick ? 1 : 3;
-  for (int round = 1; round <= rounds; ++round) {
-    options.say(fmt::format("{}: round {} of {}, {} settings near a front", motion.name, round, rounds, near.size()));
-    asking.play(all, near);
-  }
+  play_rounds(asking, motion, options, all, near);
   return all;
 }
 
-std::size_t measure_again(const std::string& method, const Motion& motion, const RoundOptions& options,
+std::size_t measure_again(const std::string& word, const Motion& motion, const RoundOptions& options,
                           Measurements& all) {
+  const auto is_of_engine = [&](const Measured& one) { return one.engine == word; };
+  if (word != "motion_float" && std::erase_if(all, is_of_engine) > 0) {  // float has no grid of its own
+    RoundOptions only = options;
+    only.engines = engines_named({word});
+    const Measurements found = measure(motion, only);
+    all.insert(all.end(), found.begin(), found.end());
+    return found.size();
+  }
   const Asking asking(motion, options);
   Indices which;
-  std::vector<std::size_t> times(all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i].method != method) continue;
+    if (all[i].method != word && !is_of_engine(all[i])) continue;
     which.push_back(i);
-    times[i] = std::exchange(all[i].seconds, {}).size();
+    all[i].seconds.clear();
   }
-  const std::size_t count = which.size();
-  options.say(fmt::format("{}: {} settings", motion.name, count));
-  while (!which.empty()) {
-    asking.play(all, which);
-    std::erase_if(which, [&](std::size_t i) { return all[i].seconds.size() >= times[i]; });
-  }
-  return count;
+  options.say(fmt::format("{}: {} settings", motion.name, which.size()));
+  asking.play(all, which);
+  play_rounds(asking, motion, options, all, near_fronts(all, which, slack));
+  return which.size();
 }
 
 namespace {

@@ -37,12 +37,13 @@ struct RoundOptions {
 std::string version_of(const Engine& engine, const std::filesystem::path& programs);
 
 /// First every setting once: powers of 2 of substeps, powers of 4 of sweeps, as far as the motion wants to have them tried.
-/// In float only what is near the front in double. What is then near the robust front of its engine is timed again, three times, all
-/// of it in every round before the next begins. Throws std::runtime_error where a program fails.
+/// In float only what is near the front in double. What is then near the robust front of its engine is timed again, all of it in every
+/// round before the next begins: in three rounds, and in ten to twenty if it stays near, until the quartiles of its time are within a
+/// tenth of each other. Throws std::runtime_error where a program fails.
 Measurements measure(const Motion& motion, const RoundOptions& options);
 
-/// Plays all settings of this method again, each as often as before. Everything else stays. Returns the number of settings.
-std::size_t measure_again(const std::string& method, const Motion& motion, const RoundOptions& options,
+/// Measures all settings of this method again, or this engine's whole grid. Everything else stays. Returns the number of settings.
+std::size_t measure_again(const std::string& method_or_engine, const Motion& motion, const RoundOptions& options,
                           Measurements& all);
 
 /// By the name of the motion.

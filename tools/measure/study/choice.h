@@ -1,0 +1,54 @@
+/// Settings by engine, method and maker, the errors of the tables, and how their cells show a time.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "pushback/common/basics/named.h"
+#include "pushback/tools/measure/study/rounds.h"
+
+namespace pushback::study {
+
+struct Tolerance {
+  double error;  ///< m
+  const char* name;
+};
+inline constexpr Tolerance tolerances[] = {{1e-2, "1 cm"}, {1e-3, "1 mm"}, {1e-4, "0.1 mm"}, {1e-6, "1 µm"}};
+
+template <class Which>
+Measurements those(const Measurements& all, const Which& which) {
+  Measurements found;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(found), which);
+  return found;
+}
+inline Measurements of_engine(const Measurements& all, const std::string& engine) {
+  return those(all, [&](const Measured& one) { return one.engine == engine; });
+}
+inline Measurements of_method(const Measurements& all, const std::string& method) {
+  return those(all, [&](const Measured& one) { return one.method == method; });
+}
+/// Empty for programs of no maker, as those of docs/methods.md.
+inline const std::string& maker_of(const Measured& one) {
+  return named("engine", known_engines(), one.engine).maker;
+}
+/// By robust errors.
+inline Measurements of_maker(const Measurements& all, const std::string& maker) {
+  return robust(those(all, [&](const Measured& one) { return maker_of(one) == maker; }));
+}
+/// The other engines, by robust errors.
+inline Measurements of_others(const Measurements& all) {
+  return robust(those(all, [](const Measured& one) { return maker_of(one) != ours && !maker_of(one).empty(); }));
+}
+
+/// So many digits, and no exponent; of what is larger, all before the point.
+inline std::string plain(double value, int digits = 3) {
+  return value < 99.5 ? fmt::format("{:.{}g}", value, digits) : fmt::format("{:.0f}", value);
+}
+
+/// us of wall time for a frame.
+inline double per_frame(const Motion& motion, double seconds) {
+  return 1e6 * seconds / motion.frames();
+}
+
+}  // namespace pushback::study
