@@ -132,21 +132,24 @@ std::string figure_of_cell(std::vector<std::string> mark) {
   }
   if (mark.size() < 4) return {};
   const std::string folder = contains(mark[1], "/") ? "renders/" : "renders/19_accuracy_and_time/";
-  std::vector<std::string> rows = lines_of(text_of(folder + mark[1] + ".md"));
-  if (rows.empty()) return {};
-  const std::vector<std::string> heads = parts_of(rows[0], '|');
-  const std::size_t column = place_of(mark[2], heads);
-  std::erase_if(rows, [&](const std::string& row) {
-    return !std::all_of(mark.begin() + 3, mark.end(), [&](const std::string& word) { return contains(row, word); });
-  });
-  if (rows.size() != 1 || column == heads.size()) return {};
-  const std::string cell = parts_of(rows[0], '|').at(column);
-  static const std::regex number(R"re([0-9][0-9.,]*(e-?[0-9]+)?)re");
+  std::string cell, before;
+  std::vector<std::string> heads;
+  int rows = 0;
+  for (const std::string& row : lines_of(text_of(folder + mark[1] + ".md"))) {
+    if (row.starts_with("| ---")) heads = parts_of(before, '|');
+    before = row;
+    const std::size_t column = place_of(mark[2], heads);
+    if (column == heads.size() || row.find('|') != 0) continue;
+    if (!std::all_of(mark.begin() + 3, mark.end(), [&](const std::string& word) { return contains(row, word); }))
+      continue;
+    cell = parts_of(row, '|').at(column);
+    ++rows;
+  }
+  if (rows != 1) return {};
+  static const std::regex number("\\b[0-9]+([.,][0-9]+)*");
   std::sregex_iterator found(cell.begin(), cell.end(), number);
   for (const std::sregex_iterator end; found != end && which > 0; --which) ++found;
-  std::string figure = found == std::sregex_iterator() ? "" : found->str();
-  while (figure.ends_with(',') || figure.ends_with('.')) figure.pop_back();
-  return figure;
+  return found == std::sregex_iterator() ? "" : found->str();
 }
 
 /// What should stand before the mark; empty where the mark names nothing.

@@ -33,7 +33,7 @@ constexpr Regime regimes[] = {
     {"without chapters 24 to 27", [](const Measured& one) { return !is_of_last_chapters(one); }},
     {"`Recommended`, the best of its settings",
      [](const Measured& one) { return is_one_of(one.method, {"by-island", "within"}); }},
-    {"`Recommended` as it comes", [](const Measured& one) { return one.setting() == "by-island/2/1"; }},
+    {"`Recommended`, no error set", [](const Measured& one) { return one.setting() == "by-island/2/1"; }},
     {"`Recommended` with 1 mm asked", [](const Measured& one) { return one.setting() == "within/1/1"; }}};
 
 /// Whether the third differences of places are 0 at most times: each body that moves goes along parabolas.
