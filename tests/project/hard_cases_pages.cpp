@@ -11,10 +11,10 @@
 ///   42<!-- passes; together -->, 3<!-- fails; together -->, 49<!-- cases -->, Forty-nine<!-- cases in words -->,
 ///   Six<!-- cases with joints in words -->, Eighteen<!-- motions in words -->: of the study
 ///   38.3<!-- study; chain; by-island/1/1 -->  µs for 1/60 s of a motion, in the study's table, renders/19_accuracy_and_time/study.csv:
-///                                             the median of its plays by that setting of the solvers that divide a step themselves
+///                                             the median of its plays by that setting; mm with "; error" behind it
 ///   7,801<!-- study; settings; ours -->       so many settings of ours, or of others, are in that table
 ///   0.27<!-- cell; next; 1 mm; 1,015 -->      a number in a table that a program has written: its file in renders/, without a folder of
-///                                             chapter 19; a column; words that only that row has; #2 at the end: the cell's second
+///                                             chapter 19; a column; words that only that row, with its table's first head, has; #2 at the end: the cell's second
 /// PUSHBACK_WRITE_FIGURES=1 in the environment writes the figures anew.
 #include <algorithm>
 #include <cctype>
@@ -25,6 +25,7 @@
 #include "pushback/common/basics/named.h"
 #include "pushback/common/experiment/parameter.h"
 #include "pushback/tools/measure/hard_cases/peers.h"
+#include "pushback/tools/measure/results/markdown.h"
 #include "pushback/tools/measure/study/every_motion.h"
 #include "pushback/tools/measure/study/rounds.h"
 #include "tests/support/call.h"
@@ -97,30 +98,20 @@ std::string figure_in(const Table& table, const std::vector<std::string>& mark) 
   return in_short((mark.size() == 4 ? outcome.numbers : outcome.largest)[i], criterion.limit, criterion.unit);
 }
 
-/// How many of its lines are of our programs, or of others: 7,801.
-std::string settings_of_study(bool ours) {
-  std::size_t count = 0;
-  for (const auto& [motion, measured] : study::read_csv(text_of("renders/19_accuracy_and_time/study.csv")))
-    for (const study::Measured& one : measured)
-      count += (study::engines_named({one.engine})[0].maker == study::ours) == ours ? 1 : 0;
-  return fmt::format("{},{:03}", count / 1000, count % 1000);
-}
-
-/// Of "study", a motion and a setting.
+/// Of "study", a motion and a setting, and sometimes "error"; or "settings" and whose.
 std::string figure_of_study(const std::vector<std::string>& mark) {
-  if (mark.size() != 3) return {};
-  if (mark[1] == "settings") return settings_of_study(mark[2] == "ours");
-  static const std::vector<std::string> lines = lines_of(text_of("renders/19_accuracy_and_time/study.csv"));
-  std::string setting = mark[2];
-  std::ranges::replace(setting, '/', ',');
-  const std::string start = mark[1] + ",motion_wide," + setting + ",";
-  const auto line = std::ranges::find_if(lines, [&](const std::string& one) { return one.starts_with(start); });
-  if (line == lines.end()) return {};
-  std::istringstream rest(line->substr(start.size()));
-  std::string error, row_solves, median;
-  std::getline(std::getline(std::getline(rest, error, ','), row_solves, ','), median, ',');
-  const double microseconds = 1e6 * std::stod(median) / any_motion_named(mark[1]).frames();
-  return microseconds < 999.5 ? fmt::format("{:.3g}", microseconds) : fmt::format("{:.0f}", microseconds);
+  static const study::AllMeasured all = study::read_csv(text_of("renders/19_accuracy_and_time/study.csv"));
+  if (mark.size() < 3) return {};
+  std::size_t settings = 0;
+  for (const auto& [motion, measured] : all)
+    for (const study::Measured& one : measured) {
+      settings += (study::engines_named({one.engine})[0].maker == study::ours) == (mark[2] == "ours") ? 1 : 0;
+      if (motion != mark[1] || one.engine == "motion_float" || one.setting() != mark[2]) continue;
+      if (mark.size() == 4) return mark[3] == "error" ? two_digits(1000 * one.error) : "";
+      const double microseconds = 1e6 * one.median() / any_motion_named(motion).frames();
+      return microseconds < 999.5 ? fmt::format("{:.3g}", microseconds) : fmt::format("{:.0f}", microseconds);
+    }
+  return mark[1] == "settings" ? fmt::format("{},{:03}", settings / 1000, settings % 1000) : "";
 }
 
 /// Of "cell", a file, a column, words of a row, and sometimes which number it is.
@@ -140,8 +131,8 @@ std::string figure_of_cell(std::vector<std::string> mark) {
     before = row;
     const std::size_t column = place_of(mark[2], heads);
     if (column == heads.size() || row.find('|') != 0) continue;
-    if (!std::all_of(mark.begin() + 3, mark.end(), [&](const std::string& word) { return contains(row, word); }))
-      continue;
+    const auto is_there = [&](const std::string& word) { return contains(heads[1] + " | " + row, word); };
+    if (!std::all_of(mark.begin() + 3, mark.end(), is_there)) continue;
     cell = parts_of(row, '|').at(column);
     ++rows;
   }

@@ -162,4 +162,51 @@ std::string table_of_once(const std::vector<MotionMeasured>& all) {
       [](const Measured& one) { return is_one_of(one.method, {"once", "wide", "wide-float"}); });
 }
 
+std::string table_of_choices(const std::vector<MotionMeasured>& all) {
+  constexpr double much = 2;  // times as long, by the robust error
+  std::string text = markdown_heads({"motion", "engine", "error", "by its own error", "by the robust error"});
+  for (const MotionMeasured& measured : all)
+    for (const Engine& engine : known_engines()) {
+      const Measurements own = of_engine(measured.all, engine.name), counted = robust(own);
+      for (const auto& [error, name] : {tolerances[0], tolerances[1], tolerances[2]}) {
+        const auto lucky = cheapest(own, error), found = cheapest(counted, error);
+        if (!lucky || (found && found->median() < much * lucky->median())) continue;
+        const auto same = std::find_if(counted.begin(), counted.end(),
+                                       [&](const Measured& one) { return one.setting() == lucky->setting(); });
+        text += markdown_row({measured.motion->title, engine.title, name,
+                              fmt::format("`{}` ({} mm)", lucky->setting(), plain(1000 * same->error, 2)),
+                              found ? fmt::format("`{}`, {} times as long", found->setting(),
+                                                  plain(found->median() / lucky->median(), 2))
+                                    : "not reached"});
+      }
+    }
+  return text;
+}
+
+std::string table_of_closed_forms(const std::vector<MotionMeasured>& all) {
+  const std::vector<std::string> motions{"gaps", "superball", "conveyor"};
+  std::vector<std::string> heads{"method"};
+  for (const std::string& name : motions)
+    for (const int substeps : {16, 64, 256}) heads.push_back(fmt::format("`{}`, {}", name, substeps));
+  std::string text = markdown_heads(heads);
+  for (const char* method :
+       {"full", "slim", "once", "wide", "half-step", "impact", "by-island", "within", "bullet-double",
+        "bullet-double-split", "ode", "ode-exact", "mujoco-bounce", "box3d-often", "jolt-tuned"}) {
+    std::vector<std::string> row{fmt::format("`{}`", method)};
+    for (const std::string& name : motions)
+      for (const int substeps : {16, 64, 256}) {
+        row.emplace_back("–");
+        for (const MotionMeasured& measured : all)
+          for (const Measured& one : of_method(measured.all, method))
+            if (measured.motion->name == name && one.engine != "motion_float" && one.substeps == substeps &&
+                (one.sweeps == 4 || one.sweeps == 0))
+              row.back() = one.error < 1e-10          ? "< 1e-7"
+                           : std::isfinite(one.error) ? two_digits(1000 * one.error)
+                                                      : "lost";
+      }
+    text += markdown_row(row);
+  }
+  return text;
+}
+
 }  // namespace pushback::study

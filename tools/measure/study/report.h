@@ -43,6 +43,12 @@ std::string table_of_half_steps(const std::vector<MotionMeasured>& all);
 /// Our least time with contacts detected in each substep, and detected once in 1/60 s.
 std::string table_of_once(const std::vector<MotionMeasured>& all);
 
+/// Settings whose robust error is above an error that their own is below, and the cheapest whose robust error is below it, where it takes
+/// twice as long.
+std::string table_of_choices(const std::vector<MotionMeasured>& all);
+/// Errors, mm, of methods in the three motions that are a list of impacts or slides, in 16, 64 and 256 substeps.
+std::string table_of_closed_forms(const std::vector<MotionMeasured>& all);
+
 /// A row a knob and motion: by what a doubling changes error and time, from slopes; warm against cold, float against double.
 std::string table_of_knobs(const std::vector<MotionMeasured>& all);
 /// Error against the two knobs that are numbers, in the rows of table_of_knobs.
