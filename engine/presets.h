@@ -22,7 +22,7 @@ struct Fast : WideSolver<float> {
 /// tumbling ones in 32 substeps, in double. With `error`, each island gets as many substeps as the error needs.
 using Recommended = TwinSolver;
 
-/// The same with errors 4 to 30 times smaller, unless they are 0, in up to 2.5 times the time: 128 substeps, half steps in 8 and more.
+/// The same with errors 4 to 50 times smaller, unless they are 0, in up to 3.5 times the time: 128 substeps, half steps in 8 and more.
 struct Exact : TwinSolver {
   Exact() {
     substep_solver.substeps = 128;
