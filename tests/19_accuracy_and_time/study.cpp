@@ -211,7 +211,6 @@ TEST_CASE("the committed tables are those of the committed measurements") {
                                     {"half_steps", table_of_half_steps(all)},
                                     {"once", table_of_once(all)},
                                     {"choices", table_of_choices(all)},
-                                    {"closed_forms", table_of_closed_forms(all)},
                                     {"knobs", table_of_knobs(all)},
                                     {"limits", table_of_limits(all)},
                                     {"cheapest", table_of_cheapest(all)},

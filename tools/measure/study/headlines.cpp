@@ -183,30 +183,4 @@ std::string table_of_choices(const std::vector<MotionMeasured>& all) {
   return text;
 }
 
-std::string table_of_closed_forms(const std::vector<MotionMeasured>& all) {
-  const std::vector<std::string> motions{"gaps", "superball", "conveyor"};
-  std::vector<std::string> heads{"method"};
-  for (const std::string& name : motions)
-    for (const int substeps : {16, 64, 256}) heads.push_back(fmt::format("`{}`, {}", name, substeps));
-  std::string text = markdown_heads(heads);
-  for (const char* method :
-       {"full", "slim", "once", "wide", "half-step", "impact", "by-island", "within", "bullet-double",
-        "bullet-double-split", "ode", "ode-exact", "mujoco-bounce", "box3d-often", "jolt-tuned"}) {
-    std::vector<std::string> row{fmt::format("`{}`", method)};
-    for (const std::string& name : motions)
-      for (const int substeps : {16, 64, 256}) {
-        row.emplace_back("–");
-        for (const MotionMeasured& measured : all)
-          for (const Measured& one : of_method(measured.all, method))
-            if (measured.motion->name == name && one.engine != "motion_float" && one.substeps == substeps &&
-                (one.sweeps == 4 || one.sweeps == 0))
-              row.back() = one.error < 1e-10          ? "< 1e-7"
-                           : std::isfinite(one.error) ? two_digits(1000 * one.error)
-                                                      : "lost";
-      }
-    text += markdown_row(row);
-  }
-  return text;
-}
-
 }  // namespace pushback::study

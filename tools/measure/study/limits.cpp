@@ -76,11 +76,10 @@ Limit limit_of(const std::vector<double>& errors) {
   return {Limit::Kind::scattered, *least, *most, 0};
 }
 
-Limit limit_of(const Measurements& all, const std::string& engine, const std::string& method, int sweeps, int finest) {
+Limit limit_of(const Measurements& all, const std::string& engine, const std::string& method, int sweeps) {
   std::map<int, double> by_steps;
   for (const Measured& one : all)
-    if (one.engine == engine && one.method == method && one.sweeps == sweeps && one.substeps <= finest)
-      by_steps[one.substeps] = one.error;
+    if (one.engine == engine && one.method == method && one.sweeps == sweeps) by_steps[one.substeps] = one.error;
   if (by_steps.empty()) return {};
   std::vector<double> errors;
   for (int steps = 1; steps <= by_steps.rbegin()->first; steps *= 2) {
@@ -89,25 +88,6 @@ Limit limit_of(const Measurements& all, const std::string& engine, const std::st
   }
   return limit_of(errors);
 }
-
-namespace {
-
-/// Of a method: the sweeps that its limit is taken with, and the most substeps among them.
-struct Finest {
-  int sweeps = 0, substeps = 0;
-};
-Finest finest_of(const Measurements& all, const std::string& engine, const std::string& method) {
-  std::map<int, std::set<int>> steps_of;  // by sweeps
-  for (const Measured& one : all)
-    if (one.engine == engine && one.method == method) steps_of[one.sweeps].insert(one.substeps);
-  if (steps_of.empty()) return {};
-  int sweeps = steps_of.begin()->first;
-  for (const auto& [number, steps] : steps_of)
-    if (steps.size() >= enough_steps) sweeps = number;
-  return {sweeps, *steps_of[sweeps].rbegin()};
-}
-
-}  // namespace
 
 std::vector<std::string> methods_of(const Measurements& all, const std::string& engine) {
   std::vector<std::string> methods;
@@ -118,29 +98,13 @@ std::vector<std::string> methods_of(const Measurements& all, const std::string& 
 }
 
 Limit limit_of(const Measurements& all, const std::string& engine, const std::string& method) {
-  return limit_of(all, engine, method, finest_of(all, engine, method).sweeps);
-}
-
-int finest_of(const Measurements& all, const std::string& engine) {
-  int with_sweeps = 0, without = 0;
-  for (const std::string& method : methods_of(all, engine)) {
-    const Finest finest = finest_of(all, engine, method);
-    int& most = finest.sweeps > 0 ? with_sweeps : without;
-    most = std::max(most, finest.substeps);
-  }
-  return with_sweeps > 0 ? with_sweeps : without;
-}
-
-std::pair<std::string, Limit> least_limit(const Measurements& all, const std::string& engine, int finest) {
-  std::pair<std::string, Limit> best;
-  for (const std::string& method : methods_of(all, engine)) {
-    const Finest own = finest_of(all, engine, method);
-    if (own.substeps < finest) continue;
-    const Limit limit = limit_of(all, engine, method, own.sweeps, finest);
-    if (limit.kind == Limit::Kind::unknown) continue;
-    if (best.first.empty() || limit.most < best.second.most) best = {method, limit};
-  }
-  return best;
+  std::map<int, std::set<int>> steps_of;  // by sweeps
+  for (const Measured& one : all)
+    if (one.engine == engine && one.method == method) steps_of[one.sweeps].insert(one.substeps);
+  int sweeps = steps_of.empty() ? 0 : steps_of.begin()->first;
+  for (const auto& [number, steps] : steps_of)
+    if (steps.size() >= enough_steps) sweeps = number;
+  return limit_of(all, engine, method, sweeps);
 }
 
 }  // namespace pushback::study

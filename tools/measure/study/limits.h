@@ -37,23 +37,11 @@ Limit limit_of(const std::vector<double>& errors);
 /// In the order in which they were measured.
 std::vector<std::string> methods_of(const Measurements& all, const std::string& engine);
 
-inline constexpr int any_step = 1 << 30;  ///< substeps: no step of the grid is finer
-
-/// Of one method of one engine with so many sweeps, in steps down to 1/(60 finest) s. Not finite where substeps of the grid, powers
-/// of 2, are missing.
-Limit limit_of(const Measurements& all, const std::string& engine, const std::string& method, int sweeps,
-               int finest = any_step);
+/// Of one method of one engine with so many sweeps. Not finite where substeps of the grid, powers of 2, are missing.
+Limit limit_of(const Measurements& all, const std::string& engine, const std::string& method, int sweeps);
 
 /// With the most sweeps that were tried with five step sizes or more, so that h goes to 0 and sweeps are as many as may be;
 /// with the fewest where there is no such number.
 Limit limit_of(const Measurements& all, const std::string& engine, const std::string& method);
-
-/// The most substeps that these limits of an engine's methods go to; of methods without sweeps, which go on to finer steps, only
-/// where it has no others. 0: nothing was measured.
-int finest_of(const Measurements& all, const std::string& engine);
-
-/// The method of this engine of which the least remains, by `most`; the first of equals. All are compared in the same steps, down to
-/// `finest`: those that were not played so finely are left out. An empty name: nothing is known.
-std::pair<std::string, Limit> least_limit(const Measurements& all, const std::string& engine, int finest);
 
 }  // namespace pushback::study

@@ -51,7 +51,6 @@ class Report {
     table("half_steps.md", table_of_half_steps(all_));
     table("once.md", table_of_once(all_));
     table("choices.md", table_of_choices(all_));
-    table("closed_forms.md", table_of_closed_forms(all_));
     table("knobs.md", table_of_knobs(all_));
     table("limits.md", table_of_limits(all_));
     table("hops.md", table_of_hops(all_));

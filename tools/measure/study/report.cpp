@@ -47,16 +47,6 @@ void add_tolerances(Panel& panel) {
     panel.lines.push_back({static_cast<Real>(tolerance.error), tolerance.name});
 }
 
-/// Of all methods of these engines, in steps down to `finest`; float is left to those that have nothing else.
-std::string least_remaining(const Measurements& all, const std::vector<std::string>& engines, int finest) {
-  std::pair<std::string, Limit> least;
-  for (const std::string& engine : engines) {
-    const auto of_this = least_limit(all, engine, finest);
-    if (least.first.empty() || (!of_this.first.empty() && of_this.second.most < least.second.most)) least = of_this;
-  }
-  return least.first.empty() ? "–" : fmt::format("{} (`{}`)", least.second.remains(), least.first);
-}
-
 const char* in_float(const Measured& ours) {
   return ours.engine == "motion_float" ? " in float" : "";
 }
@@ -164,8 +154,7 @@ std::string table_of_engines(const std::vector<MotionMeasured>& all, const std::
 
 std::string table_of_others(const std::vector<MotionMeasured>& all, const std::vector<Engine>& engines) {
   std::string text = markdown_heads({"motion", "engine", "of settings", "below 1 cm", "below 1 mm", "below 0.1 mm",
-                                     "below 1 µm", "where its front is between 10 cm and 0.01 mm, we take at most",
-                                     "substeps, at most", "remains of theirs as h → 0, at least", "of ours"});
+                                     "below 1 µm", "where its front is between 10 cm and 0.01 mm, we take at most"});
   for (const MotionMeasured& measured : all) {
     const Measurements our = of_maker(measured.all, ours);
     for (const Engine& engine : engines) {
@@ -184,11 +173,6 @@ std::string table_of_others(const std::vector<MotionMeasured>& all, const std::v
                     : slower == 0        ? "it has no such front"
                     : std::isinf(slower) ? "we do not reach all of it"
                                          : fmt::format("{} times its time", plain(slower, 2)));
-      const int own = std::max(finest_of(our, "motion"), finest_of(our, "motion_wide"));
-      const int finest = theirs.empty() ? own : std::min(own, finest_of(theirs, engine.name));
-      row.push_back(finest > 0 ? std::to_string(finest) : "–");
-      row.push_back(least_remaining(measured.all, {engine.name}, finest));
-      row.push_back(least_remaining(measured.all, {"motion", "motion_wide"}, finest));
       text += markdown_row(row);
     }
   }

@@ -29,8 +29,7 @@ std::string table_of_cheapest(const std::vector<MotionMeasured>& all);
 /// engines: the cheapest setting below 1 mm and its time for a frame; or the least error that it reaches.
 std::string table_of_engines(const std::vector<MotionMeasured>& all, const std::vector<Engine>& engines);
 
-/// For the same four errors: how many times as long the others take as we do; what remains of their error and of ours
-/// as h -> 0, in the same steps, each by the method of which the least does.
+/// For the same four errors: how many times as long the others take as we do; and the most that we take along their front.
 std::string table_of_others(const std::vector<MotionMeasured>& all, const std::vector<Engine>& engines);
 
 /// How many motions ours plays faster than all other engines, for six errors, with all of our settings and with some; and by which factor
@@ -46,8 +45,6 @@ std::string table_of_once(const std::vector<MotionMeasured>& all);
 /// Settings whose robust error is above an error that their own is below, and the cheapest whose robust error is below it, where it takes
 /// twice as long.
 std::string table_of_choices(const std::vector<MotionMeasured>& all);
-/// Errors, mm, of methods in the three motions that are a list of impacts or slides, in 16, 64 and 256 substeps.
-std::string table_of_closed_forms(const std::vector<MotionMeasured>& all);
 
 /// A row a knob and motion: by what a doubling changes error and time, from slopes; warm against cold, float against double.
 std::string table_of_knobs(const std::vector<MotionMeasured>& all);
