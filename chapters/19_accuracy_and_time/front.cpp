@@ -69,16 +69,6 @@ int faster(const Measurements& ones, const Measurements& others, double error) {
   return sum / 3;
 }
 
-double times_slower(const Measurements& ours, const Measurements& theirs, double least, double most) {
-  double worst = 0;
-  for (const Measured& point : front(theirs)) {
-    if (point.error < least || point.error > most) continue;
-    const auto found = cheapest(ours, point.error);
-    worst = std::max(worst, found ? found->median() / point.median() : std::numeric_limits<double>::infinity());
-  }
-  return worst;
-}
-
 double slope(const std::vector<double>& x, const std::vector<double>& y) {
   double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
   const auto n = static_cast<double>(x.size());

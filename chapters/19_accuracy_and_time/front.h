@@ -51,11 +51,6 @@ int faster(const Measured& one, const Measured& other);
 /// an error close to the bound decides. A list that does not reach such an error is the slower one.
 int faster(const Measurements& ones, const Measurements& others, double error);
 
-/// The largest factor by which `ours` takes longer than a point on the front of `theirs` for the same error, over the points with
-/// errors (m) between `least` and `most`. Infinite if `ours` never reaches such an error; 0 if `theirs` has no such point. At most
-/// 1: `ours` lies on or below the front of `theirs`.
-double times_slower(const Measurements& ours, const Measurements& theirs, double least, double most);
-
 /// The slope of the straight line through (log x, log y), by least squares. All values are above 0, with two or more
 /// different x.
 double slope(const std::vector<double>& x, const std::vector<double>& y);

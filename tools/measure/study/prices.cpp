@@ -34,7 +34,9 @@ Contender of_preset(const std::string& title, const std::string& name) {
   return {title,
           {.engine = "presets", .method = name},
           [method, setting](const Motion& motion, const std::vector<Places>& truth) {
-            return std::optional(play(motion, truth, method, setting, {.at_least = 0, .at_most = 3600}));
+            Measured played = play(motion, truth, method, setting, {.at_least = 0, .at_most = 3600});
+            played.engine = "presets";
+            return std::optional(played);
           }};
 }
 
@@ -74,9 +76,11 @@ bool is_here(const Measured& setting, const fs::path& programs) {
   return setting.engine == "presets" || fs::exists(programs / setting.engine);
 }
 
-/// All that are here, in turn, so many rounds.
-study::Measurements measured(const Motion& motion, std::vector<Contender> all, const fs::path& programs, int rounds) {
+/// All that are here, in turn, so many rounds. Of the others, what was measured before stays.
+void measure(const Motion& motion, std::vector<Contender> all, const fs::path& programs, int rounds,
+             study::Measurements& row) {
   std::erase_if(all, [&](const Contender& one) { return !is_here(one.setting, programs); });
+  std::erase_if(row, [&](const Measured& one) { return is_here(one, programs); });
   const std::vector<Places> truth = motion.truth(motion.frames());
   std::vector<std::optional<Measured>> found(all.size());
   for (int round = 0; round < rounds; ++round)
@@ -85,13 +89,8 @@ study::Measurements measured(const Motion& motion, std::vector<Contender> all, c
       if (round == 0) found[i] = once;
       else if (once) found[i]->seconds.push_back(once->median());
     }
-  study::Measurements played;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!found[i]) continue;
-    played.push_back(*found[i]);
-    played.back().engine = all[i].setting.engine;
-  }
-  return played;
+  for (const auto& one : found)
+    if (one) row.push_back(*one);
 }
 
 /// Error in mm and us a step, in two digits or whole numbers.
@@ -151,9 +150,7 @@ int main(int argc, char** argv) {
     make_writable_folder(folder);
     const std::string load = load_now();
     for (const Motion& motion : motions) {
-      study::Measurements& row = prices[motion.name];
-      std::erase_if(row, [&](const Measured& one) { return is_here(one, programs); });
-      for (const Measured& one : measured(motion, all, programs, rounds)) row.push_back(one);
+      measure(motion, all, programs, rounds, prices[motion.name]);
       write_text_file(file, study::csv_of(prices));
     }
     write_text_file(folder / "prices.md", table_of(prices, all));

@@ -29,7 +29,7 @@ std::string table_of_cheapest(const std::vector<MotionMeasured>& all);
 /// engines: the cheapest setting below 1 mm and its time for a frame; or the least error that it reaches.
 std::string table_of_engines(const std::vector<MotionMeasured>& all, const std::vector<Engine>& engines);
 
-/// For the same four errors: how many times as long the others take as we do; and the most that we take along their front.
+/// For the same four errors: how many times as long the others take as we do.
 std::string table_of_others(const std::vector<MotionMeasured>& all, const std::vector<Engine>& engines);
 
 /// How many motions ours plays faster than all other engines, for six errors, with all of our settings and with some; and by which factor

@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "pushback/common/basics/input.h"
-#include "pushback/common/basics/named.h"
 #include "pushback/common/basics/process.h"
 #include "pushback/tools/measure/results/csv.h"
+#include "pushback/tools/measure/study/choice.h"
 #include "pushback/tools/measure/study/play.h"
 
 namespace pushback::study {
@@ -110,15 +110,10 @@ class Asking {
 Indices near_fronts(const Measurements& all, Indices which, double slower) {
   const Measurements latest = robust(all);
   std::erase_if(which, [&](std::size_t i) {
-    const Measured& one = latest[i];
-    const auto is_near = [&](bool own) {
-      Measurements others = latest;
-      std::erase_if(others, [&](const Measured& other) {
-        return other.engine != one.engine || (own && other.method != one.method);
-      });
-      return is_near_front(one, others, slower);
-    };
-    return !is_near(false) && !((one.method == "by-island" || one.method == "within") && is_near(true));
+    const Measurements its = of_engine(latest, latest[i].engine);
+    const std::string& method = latest[i].method;
+    return !is_near_front(latest[i], its, slower) &&
+           !((method == "by-island" || method == "within") && is_near_front(latest[i], of_method(its, method), slower));
   });
   return which;
 }
