@@ -115,7 +115,9 @@ TEST_CASE("a program that fails, or prints what is no measurement, is named") {
 
 TEST_CASE("one method is measured again, in rounds if it is near a front, or a whole engine, and nothing else") {
   const Scratch scratch;
-  const std::string answers = "*) echo \"$s error 2e-3 seconds 2e-2 row-solves 5\";;";
+  const std::string answers =
+      "new/1024) echo \"$s error 2e-3 seconds 2.4e-2 row-solves 5\";; *) echo \"$s error 2e-3 seconds 2e-2 row-solves "
+      "5\";;";
   write_program(scratch / "motion_odd", "", answers);
   write_program(scratch / "motion_mine", "new/SMALL-STEPS: method\\n", answers);
   const auto before = [](const std::string& method, int substeps, const std::vector<double>& seconds) {
@@ -135,6 +137,7 @@ TEST_CASE("one method is measured again, in rounds if it is near a front, or a w
   CHECK(all[1].error == 1);
   CHECK(again("c") == 0);
   CHECK(again("motion_mine") == 12);
+  CHECK(all[13].seconds.size() == 1 + 3);  // near the front, but decides nothing
   CHECK((all[1].seconds.size() == 2 && all[3].setting() == "new/1" && all[3].seconds.size() == 1 + 10));
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "pushback/common/basics/named.h"
 #include "pushback/tools/measure/study/rounds.h"
@@ -14,7 +15,9 @@ struct Tolerance {
   double error;  ///< m
   const char* name;
 };
-inline constexpr Tolerance tolerances[] = {{1e-2, "1 cm"}, {1e-3, "1 mm"}, {1e-4, "0.1 mm"}, {1e-6, "1 µm"}};
+inline constexpr Tolerance all_tolerances[] = {{1e-1, "10 cm"}, {3e-2, "3 cm"},   {1e-2, "1 cm"},
+                                               {1e-3, "1 mm"},  {1e-4, "0.1 mm"}, {1e-6, "1 µm"}};
+inline constexpr std::span<const Tolerance> tolerances{all_tolerances + 2, 4};
 
 template <class Which>
 Measurements those(const Measurements& all, const Which& which) {

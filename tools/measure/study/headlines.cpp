@@ -9,9 +9,6 @@ namespace pushback::study {
 
 namespace {
 
-constexpr Tolerance errors[] = {{1e-1, "10 cm"}, {3e-2, "3 cm"},   {1e-2, "1 cm"},
-                                {1e-3, "1 mm"},  {1e-4, "0.1 mm"}, {1e-6, "1 µm"}};
-
 bool is_one_of(const std::string& method, const std::vector<const char*>& methods) {
   return std::any_of(methods.begin(), methods.end(), [&](const char* one) { return method == one; });
 }
@@ -83,7 +80,7 @@ std::string count_of(const std::vector<Compared>& motions, double error) {
 
 std::string table_of_regimes(const std::vector<MotionMeasured>& all) {
   std::vector<std::string> heads{"our settings", "number", "motions"};
-  for (const Tolerance& tolerance : errors) heads.emplace_back(tolerance.name);
+  for (const Tolerance& tolerance : all_tolerances) heads.emplace_back(tolerance.name);
   std::string text = markdown_heads(heads);
   std::vector<bool> quadratic;
   for (const MotionMeasured& measured : all) quadratic.push_back(is_piecewise_quadratic(*measured.motion));
@@ -98,7 +95,7 @@ std::string table_of_regimes(const std::vector<MotionMeasured>& all) {
     }
     for (const auto& [group, name] : {std::pair{of[0], "all"}, {of[1], "quadratic or at rest"}, {of[2], "curved"}}) {
       std::vector<std::string> row{regime.name, std::to_string(number), fmt::format("{}, {}", group.size(), name)};
-      for (const Tolerance& tolerance : errors) row.push_back(count_of(group, tolerance.error));
+      for (const Tolerance& tolerance : all_tolerances) row.push_back(count_of(group, tolerance.error));
       text += markdown_row(row);
     }
   }
@@ -107,12 +104,12 @@ std::string table_of_regimes(const std::vector<MotionMeasured>& all) {
 
 std::string table_of_next(const std::vector<MotionMeasured>& all) {
   std::vector<std::string> heads{"motion"};
-  for (const Tolerance& tolerance : errors) heads.emplace_back(tolerance.name);
+  for (const Tolerance& tolerance : all_tolerances) heads.emplace_back(tolerance.name);
   std::string text = markdown_heads(heads);
   for (const MotionMeasured& measured : all) {
     const Measurements our = of_maker(measured.all, ours), theirs = of_others(measured.all);
     std::vector<std::string> row{measured.motion->title};
-    for (const auto& [error, name] : errors) {
+    for (const auto& [error, name] : all_tolerances) {
       const auto times = ratio(our, theirs, error);
       row.push_back(!times               ? "not reached"
                     : std::isinf(*times) ? "ours only"

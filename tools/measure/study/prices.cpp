@@ -9,9 +9,9 @@
 #include "pushback/engine/presets.h"
 #include "pushback/tools/measure/results/markdown.h"
 #include "pushback/tools/measure/results/origin.h"
+#include "pushback/tools/measure/study/choice.h"
 #include "pushback/tools/measure/study/every_motion.h"
 #include "pushback/tools/measure/study/ours.h"
-#include "pushback/tools/measure/study/rounds.h"
 
 using namespace pushback;
 using study::Measured;
@@ -95,12 +95,9 @@ void measure(const Motion& motion, std::vector<Contender> all, const fs::path& p
 
 /// Error in mm and us a step, in two digits or whole numbers.
 std::string said(const Motion& motion, const Measured& one) {
-  const auto two_digits = [](double number) {
-    return number < 100 ? fmt::format("{:.2g}", number) : fmt::format("{:.0f}", number);
-  };
-  const double mm = 1000 * one.error, us = 1e6 * one.median() / motion.frames();
-  const std::string off = std::isinf(mm) ? "lost" : mm < 1e-6 ? "< 1e-6" : two_digits(mm);
-  return us > 0 ? fmt::format("{}; {}", off, two_digits(us))
+  const double mm = 1000 * one.error, us = study::per_frame(motion, one.median());
+  const std::string off = std::isinf(mm) ? "lost" : mm < 1e-6 ? "< 1e-6" : study::plain(mm, 2);
+  return us > 0 ? fmt::format("{}; {}", off, study::plain(us, 2))
                 : off;  // what is lost before it has moved has taken no time
 }
 

@@ -20,8 +20,7 @@ namespace pushback::study {
 
 namespace {
 
-constexpr double slack = 1.25;      // times as slow as the front, and still timed again
-constexpr double near_slack = 1.1;  // and timed until its time is known to `close_enough`
+constexpr double slack = 1.25;  // times as slow as the front, and still timed again
 constexpr int few_rounds = 3, enough_rounds = 10, most_rounds = 20;
 constexpr double close_enough = 1.1;  // between the quartiles of a time: those of a ratio are then within a tenth of it
 
@@ -106,27 +105,38 @@ class Asking {
   const RoundOptions& options_;
 };
 
-/// Those near the robust front of their engine; of the methods that `Recommended` is made of, also near their own.
-Indices near_fronts(const Measurements& all, Indices which, double slower) {
+bool is_near(const Measured& one, const Measurements& its) {
+  return is_near_front(one, its, slack);
+}
+/// Whether it may be the cheapest for an error of the tables, or for one close to it.
+bool may_decide(const Measured& one, const Measurements& its) {
+  for (const Tolerance& tolerance : all_tolerances)
+    for (const double error : {0.8 * tolerance.error, tolerance.error, 1.25 * tolerance.error})
+      if (one.error <= error && one.median() <= 1.1 * cheapest(its, error)->median()) return true;
+  return false;
+}
+
+/// Those of which this is so among all of their engine; or of their method, if it is one that `Recommended` is made of. By robust errors.
+Indices kept(const Measurements& all, Indices which, bool (*is_kept)(const Measured&, const Measurements&)) {
   const Measurements latest = robust(all);
   std::erase_if(which, [&](std::size_t i) {
-    const Measurements its = of_engine(latest, latest[i].engine);
-    const std::string& method = latest[i].method;
-    return !is_near_front(latest[i], its, slower) &&
-           !((method == "by-island" || method == "within") && is_near_front(latest[i], of_method(its, method), slower));
+    const Measured& one = latest[i];
+    const Measurements its = of_engine(latest, one.engine);
+    return !is_kept(one, its) &&
+           !((one.method == "by-island" || one.method == "within") && is_kept(one, of_method(its, one.method)));
   });
   return which;
 }
 
-/// Times these settings, all of them in every round before the next begins: three rounds, then further rounds for those that are still
-/// near a front, until their times are known.
+/// Times these settings, all of them in every round before the next begins: three rounds, then further rounds for those that may
+/// decide a table, until their times are known.
 void play_rounds(const Asking& asking, const Motion& motion, const RoundOptions& options, Measurements& all,
                  Indices which) {
   for (int round = 1; round <= (options.quick ? 1 : most_rounds) && !which.empty(); ++round) {
     options.say(fmt::format("{}: round {}, {} settings near a front", motion.name, round, which.size()));
     asking.play(all, which);
     if (round < few_rounds) continue;
-    which = near_fronts(all, which, near_slack);
+    which = kept(all, which, may_decide);
     if (round < enough_rounds) continue;
     std::erase_if(which, [&](std::size_t i) { return all[i].quartile(3) <= close_enough * all[i].quartile(1); });
   }
@@ -204,7 +214,7 @@ Measurements measure(const Motion& motion, const RoundOptions& options) {
     Indices latest;
     for (std::size_t i = first; i < all.size(); ++i) latest.push_back(i);
     asking.play(all, latest);
-    latest = near_fronts(all, latest, slack);
+    latest = kept(all, latest, is_near);
     near.insert(near.end(), latest.begin(), latest.end());
   }
   play_rounds(asking, motion, options, all, near);
@@ -230,7 +240,7 @@ std::size_t measure_again(const std::string& word, const Motion& motion, const R
   }
   options.say(fmt::format("{}: {} settings", motion.name, which.size()));
   asking.play(all, which);
-  play_rounds(asking, motion, options, all, near_fronts(all, which, slack));
+  play_rounds(asking, motion, options, all, kept(all, which, is_near));
   return which.size();
 }
 

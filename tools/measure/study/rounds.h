@@ -38,8 +38,8 @@ std::string version_of(const Engine& engine, const std::filesystem::path& progra
 
 /// First every setting once: powers of 2 of substeps, powers of 4 of sweeps, as far as the motion wants to have them tried.
 /// In float only what is near the front in double. What is then near the robust front of its engine is timed again, all of it in every
-/// round before the next begins: in three rounds, and in ten to twenty if it stays near, until the quartiles of its time are within a
-/// tenth of each other. Throws std::runtime_error where a program fails.
+/// round before the next begins: in three rounds, and in ten to twenty if it may be the cheapest for an error of the tables, until the
+/// quartiles of its time are within a tenth of each other. Throws std::runtime_error where a program fails.
 Measurements measure(const Motion& motion, const RoundOptions& options);
 
 /// Measures all settings of this method again, or this engine's whole grid. Everything else stays. Returns the number of settings.
