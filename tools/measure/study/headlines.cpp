@@ -160,14 +160,13 @@ std::string table_of_once(const std::vector<MotionMeasured>& all) {
 }
 
 std::string table_of_choices(const std::vector<MotionMeasured>& all) {
-  constexpr double much = 2;  // times as long, by the robust error
   std::string text = markdown_heads({"motion", "engine", "error", "by its own error", "by the robust error"});
   for (const MotionMeasured& measured : all)
     for (const Engine& engine : known_engines()) {
       const Measurements own = of_engine(measured.all, engine.name), counted = robust(own);
       for (const auto& [error, name] : {tolerances[0], tolerances[1], tolerances[2]}) {
         const auto lucky = cheapest(own, error), found = cheapest(counted, error);
-        if (!lucky || (found && found->median() < much * lucky->median())) continue;
+        if (!lucky || (found && found->median() < 2 * lucky->median())) continue;
         const auto same = std::find_if(counted.begin(), counted.end(),
                                        [&](const Measured& one) { return one.setting() == lucky->setting(); });
         text += markdown_row({measured.motion->title, engine.title, name,
