@@ -43,8 +43,8 @@ bool is_near_front(const Measured& one, const Measurements& all, double slack);
 /// The fastest with at most this error (m), or nothing if there is none.
 std::optional<Measured> cheapest(const Measurements& all, double error);
 
-/// Which of two settings is the faster: 1 the first, -1 the second. 0: neither, because the quartiles of the ratio of their times
-/// enclose 1, or the ratio of their medians is within a tenth of 1.
+/// Which of two settings is the faster: 1 the first, -1 the second. 0: neither, because their times overlap between their quartiles, or
+/// their medians differ by less than a tenth.
 int faster(const Measured& one, const Measured& other);
 
 /// The same of the cheapest settings for errors of 0.8, 1 and 1.25 times `error`, if all three agree; else 0. So no single setting with
