@@ -6,20 +6,12 @@
 #pragma once
 
 #include "pushback/engine/islands/twin_solver.h"
+#include "pushback/engine/substeps/fast.h"  // Fast, for pictures and games
 
 namespace pushback {
 
-/// For pictures and games: everything in 8 substeps, in float. A stack of ten sinks by 7 mm, and stacks of more than 24 boxes buckle
-/// (chapter 12).
-struct Fast : WideSolver<float> {
-  Fast() {
-    substeps = 8;
-    rebuild_fraction = Real(5e-3);
-  }
-};
-
 /// Gives each island the step that fits it. Few contacts and resting islands are solved together and to second order, and
-/// tumbling ones in 32 substeps, in double. With `error`, each island gets as many substeps as the error needs.
+/// tumbling ones in 32 substeps, in double, or large ones as by Fast. With `error`, each island gets as many substeps as the error needs.
 using Recommended = TwinSolver;
 
 /// The same with errors 4 to 50 times smaller, unless they are 0, in up to 3.5 times the time: 128 substeps, half steps in 8 and more.
@@ -31,6 +23,7 @@ struct Exact : TwinSolver {
     joint_half_step.substeps = 8;
     contact_half_step.most_work = joint_half_step.most_work = 1e7;
     energy = Real(1e-6);
+    limits.large = std::numeric_limits<int>::max();
     budget.per_contact *= 4;
   }
 };

@@ -14,6 +14,12 @@ void check_limits(const ClassifierLimits& limits) {
   for (const auto& [name, limit] : {std::pair("most_kept", limits.most_kept), {"most_meeting", limits.most_meeting}})
     if (limit < limits.most)
       throw InvalidInput(fmt::format("{} is {}: no less than most is needed, which is {}", name, limit, limits.most));
+  if (limits.large < 1)
+    throw InvalidInput(fmt::format("large is {}: a whole number, 1 or more, is needed", limits.large));
+  if (limits.most_layers < 0)
+    throw InvalidInput(fmt::format("most_layers is {}: a whole number, 0 or more, is needed", limits.most_layers));
+  require_not_negative("calm", limits.calm);
+  require_positive("most_ratio", limits.most_ratio);
   if (limits.most_detections < 1 || limits.most_detections > 64)
     throw InvalidInput(
         fmt::format("most_detections is {}: a whole number from 1 to 64 is needed", limits.most_detections));

@@ -24,6 +24,12 @@ bool lets_in(const IslandWorld& island, const StepClassifier& classifier) {
                      [most](const Contact& at) { return !at.parted && at.depth > most; });
 }
 
+/// All bodies of a world whose contacts have been found.
+struct WithFoundContacts : AllBodies {
+  Contacts& found;
+  void find_contacts(World& world, const Margin&) const { world.contacts.swap(found); }
+};
+
 /// Half of the kick, the drift, and the other half.
 void fly(Body& body, const Vec3& gravity, int parts, Real dt) {
   const Vec3 force = body.force, torque = body.torque;
@@ -42,6 +48,7 @@ void IslandSolver::whole_step(World& world, Real dt, int sweeps) {
   IslandSettings::check();
   given.check(world.bodies.size());
   substep_solver.SubsteppingSolver::check(world, dt);
+  pile_solver.SubsteppingSolver::check(world, dt);
   const Plan plan = substep_solver.plan(dt);
   contacts_.find(world, plan, dt);
   memory_.resize(world.bodies.size());
@@ -55,6 +62,7 @@ void IslandSolver::whole_step(World& world, Real dt, int sweeps) {
     if (too_many || !others_were_met(world, dt)) break;
   }
   fall_back(world);
+  step_piles(world, dt, sweeps);
   add_up(step_remaining(world, dt, sweeps));
   commit(world, dt);
 }
@@ -73,6 +81,7 @@ int IslandSolver::half_steps_of(int body) {
 void IslandSolver::classify(World& world, bool too_many_meetings, Real dt) {
   ClassifierLimits now = limits;
   if (too_many_meetings) now.most = now.most_kept = now.most_meeting = 0;
+  if (!given.of_body.empty()) now.large = std::numeric_limits<int>::max();
   const Real threshold = given.of_body.empty() ? substep_solver.threshold : given.threshold;
   classifier_.classify(world, contacts_.found, dt, threshold, now);
   budgets_.pool(world, classifier_, budget);
@@ -89,7 +98,8 @@ void IslandSolver::classify(World& world, bool too_many_meetings, Real dt) {
 void IslandSolver::step_islands(World& world, const Plan& plan, Real dt) {
   const IslandStep step{world, classifier_, *this, dt};
   plan.workers->each(islands_.size(), 4, [&](Part part) {
-    for (std::size_t i = part.begin; i < part.end; ++i) step_island(islands_[i], step);
+    for (std::size_t i = part.begin; i < part.end; ++i)
+      if (classifier_.step_of(islands_[i].lowest()) == StepType::half_steps) step_island(islands_[i], step);
   });
   islands_.give_joints(world);
 }
@@ -168,7 +178,7 @@ bool IslandSolver::others_were_met(const World& world, Real dt) {
   });
 }
 
-/// Islands that half steps could not move get substeps.
+/// Islands that half steps could not move get substeps, or are moved as piles.
 void IslandSolver::fall_back(const World& world) {
   for (std::size_t i = 0; i < islands_.size(); ++i) {
     const IslandWorld& island = islands_[i];
@@ -180,6 +190,22 @@ void IslandSolver::fall_back(const World& world) {
       if (world.body(body).movable()) classifier_.leave_to_substeps(body, StepReason::failed);
   }
   budgets_.share_out(world, classifier_, budget);
+}
+
+void IslandSolver::step_piles(const World& world, Real dt, int sweeps) {
+  pile_solver.workers = substep_solver.workers;
+  const Plan plan = pile_solver.plan(dt);
+  islands_.give_found(world, classifier_, contacts_.found);
+  for (std::size_t i = 0; i < islands_.size(); ++i) {
+    IslandWorld& island = islands_[i];
+    if (classifier_.reason_of(island.lowest()) != StepReason::large_pile) continue;
+    island.copy_bodies(world);
+    WithFoundContacts bodies{{&plan.workers->of_bodies(island.world.bodies.size())}, island.found};
+    pushback::step(island.world, pile_solver, plan, dt, sweeps, bodies);
+    island.held = true;
+    island.substeps = plan.substeps;
+    add_up(pile_solver.stats());
+  }
 }
 
 SolveStats IslandSolver::step_remaining(World& world, Real dt, int sweeps) {

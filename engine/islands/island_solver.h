@@ -7,6 +7,7 @@
 #include "pushback/engine/islands/remaining_bodies.h"
 #include "pushback/engine/islands/step_contacts.h"
 #include "pushback/engine/islands/work_budgets.h"
+#include "pushback/engine/substeps/fast.h"
 
 namespace pushback {
 
@@ -14,11 +15,11 @@ namespace pushback {
 ///
 ///   flight       v += h/2 g,  x += h v,  v += h/2 g: the parabola itself
 ///   half steps   contacts by `contact_half_step`, and joints by `joint_half_step`, with contacts or without
-///   substeps     `substep_solver`
+///   substeps     `substep_solver`, and large piles that move by `pile_solver`
 ///
 /// A step runs through these stages, which docs/engine.md draws:
 ///
-///   detect → classify → step each island: StepOutcome → (if bodies met others: classify again) → fall back → substeps → commit
+///   detect → classify → step each island: StepOutcome → (if bodies met others: classify again) → fall back → piles → substeps → commit
 ///
 /// Half steps of resting islands cost next to nothing, however many contacts there are. In a tumbling island they can cost a hundred times
 /// as much as substeps. So if contacts are many, half steps are paid for from savings: see work_budget.h. The number of half steps follows
@@ -29,6 +30,7 @@ namespace pushback {
 class IslandSolver : public ForwardingSolver, public IslandSettings {
  public:
   WideSolver<Real> substep_solver;
+  Fast pile_solver;  ///< it has the workers of `substep_solver`
 
   /// Throws as World::step does, before anything has changed.
   void whole_step(World& world, Real dt, int sweeps) override;
@@ -55,6 +57,7 @@ class IslandSolver : public ForwardingSolver, public IslandSettings {
   void step_island(IslandWorld& island, const IslandStep& step);
   bool others_were_met(const World& world, Real dt);
   void fall_back(const World& world);
+  void step_piles(const World& world, Real dt, int sweeps);
   SolveStats step_remaining(World& world, Real dt, int sweeps);
   void commit(World& world, Real dt);
   void add_up(const SolveStats& solved);

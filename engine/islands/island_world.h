@@ -15,7 +15,9 @@ class IslandWorld {
   HalfStep half_step;
   bool impact = false;  ///< bodies may meet in this step, so it is cut where they do
   bool fourth = false;  ///< the island gets steps of fourth order, because it has joints but no contacts
-  bool held = false;    ///< half steps have moved it
+  bool held = false;    ///< it has been moved
+  Contacts found;       ///< of this step, if Fast moves the island
+  int substeps = 1;     ///< to which the impulses of its contacts belong
 
   /// Sets what `half_step` does, after a change of the above.
   void set_order() {
@@ -33,6 +35,8 @@ class IslandWorld {
     held = fourth = false;
     bodies_.clear();
     joints_.clear();
+    found.clear();
+    substeps = 1;
     world.contacts.clear();
     world.joints.clear();
     world.gravity = whole.gravity;
@@ -46,13 +50,8 @@ class IslandWorld {
     bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
   }
   /// A contact of the step before, if both of its bodies are here.
-  void add(const Contact& contact) {
-    const int a = here(static_cast<int>(contact.id.body_a)), b = here(static_cast<int>(contact.id.body_b));
-    if (a == nowhere || b == nowhere) return;
-    world.contacts.push_back(contact);
-    world.contacts.back().id.body_a = static_cast<std::uint32_t>(a);
-    world.contacts.back().id.body_b = static_cast<std::uint32_t>(b);
-  }
+  void add(const Contact& contact) { add(contact, world.contacts); }
+  void add_found(const Contact& contact) { add(contact, found); }
   void take(Joint& joint, std::size_t index) {
     Joint& taken = world.joints.emplace_back(std::move(joint));
     for (int* body : {&taken.a, &taken.b})
@@ -94,7 +93,7 @@ class IslandWorld {
       Contact& copy = whole.contacts.emplace_back(contact);
       copy.id.body_a = static_cast<std::uint32_t>(bodies_[contact.id.body_a]);
       copy.id.body_b = static_cast<std::uint32_t>(bodies_[contact.id.body_b]);
-      copy.last_impulse = fraction * contact.last_impulse;
+      copy.last_impulse = fraction * static_cast<Real>(substeps) * contact.last_impulse;
     }
     for (const std::size_t joint : joints_)
       for (Real& impulse : whole.joints[joint].last_impulses) impulse *= fraction;
@@ -105,6 +104,13 @@ class IslandWorld {
  private:
   static constexpr int nowhere = -2;  // and -1 is the_world
 
+  void add(const Contact& contact, Contacts& contacts) const {
+    const int a = here(static_cast<int>(contact.id.body_a)), b = here(static_cast<int>(contact.id.body_b));
+    if (a == nowhere || b == nowhere) return;
+    contacts.push_back(contact);
+    contacts.back().id.body_a = static_cast<std::uint32_t>(a);
+    contacts.back().id.body_b = static_cast<std::uint32_t>(b);
+  }
   int here(int body) const {
     const auto at = std::lower_bound(bodies_.begin(), bodies_.end(), body);
     return at != bodies_.end() && *at == body ? static_cast<int>(at - bodies_.begin()) : nowhere;

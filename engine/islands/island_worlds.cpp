@@ -1,12 +1,22 @@
 #include "pushback/engine/islands/island_worlds.h"
 
+#include "pushback/engine/islands/step_contacts.h"
+
 namespace pushback {
+
+namespace {
+
+bool has_world(const StepClassifier& classifier, int body) {
+  return classifier.step_of(body) == StepType::half_steps || classifier.reason_of(body) == StepReason::large_pile;
+}
+
+}  // namespace
 
 void IslandWorlds::add_bodies(const World& world, StepClassifier& classifier) {
   count_ = 0;
   place_.assign(world.bodies.size(), -1);
   for (const Body& body : world.bodies) {
-    if (classifier.step_of(body.index) != StepType::half_steps) continue;
+    if (!has_world(classifier, body.index)) continue;
     const int lowest = classifier.island_of(body.index);
     int& place = place_[std::size_t(lowest)];
     if (place < 0) {
@@ -18,10 +28,10 @@ void IslandWorlds::add_bodies(const World& world, StepClassifier& classifier) {
   }
 }
 
-/// Null if half steps do not move both.
+/// Null if the bodies have no world in common.
 IslandWorld* IslandWorlds::island_of(const Body& a, const Body& b, StepClassifier& classifier) {
   const int moving = (a.movable() ? a : b).index;
-  if (classifier.step_of(moving) != StepType::half_steps) return nullptr;
+  if (!has_world(classifier, moving)) return nullptr;
   if (a.movable() && b.movable() && classifier.island_of(a.index) != classifier.island_of(b.index)) return nullptr;
   return &islands_[std::size_t(place_[std::size_t(classifier.island_of(moving))])];
 }
@@ -46,6 +56,15 @@ void IslandWorlds::divide(World& world, StepClassifier& classifier, const Contac
   for (std::size_t i = 0; i < world.joints.size(); ++i) {
     Joint& joint = world.joints[i];
     if (IslandWorld* island = island_of(world.body(joint.a), world.body(joint.b), classifier)) island->take(joint, i);
+  }
+}
+
+void IslandWorlds::give_found(const World& world, StepClassifier& classifier, const Contacts& found) {
+  for (const Contact& contact : found) {
+    const auto [a, b] = world.bodies_of(contact);
+    const int moving = (a.movable() ? a : b).index;
+    if (classifier.reason_of(moving) != StepReason::large_pile || contact.id.feature == no_feature) continue;
+    if (IslandWorld* island = island_of(a, b, classifier)) island->add_found(contact);
   }
 }
 

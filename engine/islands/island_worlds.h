@@ -1,4 +1,4 @@
-/// The islands that half steps move, as worlds.
+/// The islands that half steps or Fast move, as worlds.
 #pragma once
 
 #include "pushback/engine/islands/island_world.h"
@@ -8,11 +8,12 @@ namespace pushback {
 
 class IslandWorlds {
  public:
-  /// Makes a world of each island that gets half steps. Moves its joints there, until `give_joints`. `found`: the contacts of this step.
+  /// Makes a world of each island that gets half steps, or is a large pile. Moves its joints there, until `give_joints`. `found`: the contacts of this step.
   void divide(World& world, StepClassifier& classifier, const Contacts& found);
   void give_joints(World& world);
-  /// Writes the bodies and contacts of islands that half steps have moved into the whole world, whose last substep had `fraction` of the
-  /// step.
+  /// Gives large piles their contacts of this step.
+  void give_found(const World& world, StepClassifier& classifier, const Contacts& found);
+  /// Writes the bodies and contacts of islands that have been moved into the whole world, whose last substep had `fraction` of the step.
   void commit(World& world, Real fraction) const;
 
   std::size_t size() const { return count_; }

@@ -2,6 +2,8 @@
 
 #include <tuple>
 
+#include "pushback/common/collision/broad_phase.h"
+#include "pushback/common/collision/collide.h"
 #include "pushback/common/world/step.h"
 #include "pushback/engine/islands/step_contacts.h"
 
@@ -10,7 +12,8 @@ namespace pushback {
 namespace {
 
 bool remains(const Body& body, const StepClassifier& classifier) {
-  return classifier.step_of(body.index) == StepType::substeps;
+  return classifier.step_of(body.index) == StepType::substeps &&
+         classifier.reason_of(body.index) != StepReason::large_pile;
 }
 
 /// The remaining bodies, as World::step knows them, in a world whose contacts have been found.
@@ -27,11 +30,15 @@ struct Remaining {
     are_found = false;
   }
   void find_again(World& world, const Margin& margin) const {
-    world.find_contacts(margin);
-    std::erase_if(world.contacts, [&](const Contact& contact) {
-      const auto [a, b] = world.bodies_of(contact);
-      return (a.movable() && !contain(a)) || (b.movable() && !contain(b));
-    });
+    std::vector<int> here;
+    for (const Body& body : world.bodies)
+      if (!body.movable() || contain(body)) here.push_back(body.index);
+    world.contacts.clear();
+    const JoinedPairs joined(world.joints);
+    for (const auto& [first, second] : near_pairs(world.bodies, here, margin)) {
+      const Body &a = world.body(first), &b = world.body(second);
+      if (may_touch(a, b) && !joined.contain(first, second)) collide(a, b, world.contacts, margin);
+    }
   }
   template <class Act>
   void each(World& world, const Act& act) const {

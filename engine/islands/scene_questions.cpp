@@ -92,6 +92,9 @@ std::string because(StepReason reason, const World& world, const StepClassifier&
       return many + ", and an impact";
     case StepReason::fast_turn:
       return fmt::format("{}, and {} turns fast", many, body_in(world, cause));
+    case StepReason::large_pile:
+      return fmt::format("{}, at least {}, in a pile that moves: as by Fast", counted,
+                         classifier.contact_limit(island));
     case StepReason::no_savings:
       return many + ", and half steps cost more than was saved";
     case StepReason::failed:

@@ -10,8 +10,9 @@ namespace pushback {
 
 namespace {
 
-constexpr Real along = Real(1e-6);  // of a belt's speed, at right angles to the face: rounding
-constexpr Real apart = Real(1e-6);  // m: a nearer pair touches already
+constexpr Real along = Real(1e-6);            // of a belt's speed, at right angles to the face: rounding
+constexpr Real apart = Real(1e-6);            // m: a nearer pair touches already
+constexpr Real nearly_touching = Real(1e-3);  // m: such a pair stands on each other, if the pile shakes
 
 /// Each equation of the joint holds, rigidly and in both directions.
 bool rigid(const World& world, const Joint& joint, Equations& equations) {
@@ -51,6 +52,28 @@ Corner first_to_get(const Body& body, const Vec3& direction, Real dt) {
   return first;
 }
 
+/// How many bodies each body stands above the ground, itself included, on the shortest way through contacts. 0: on none.
+std::vector<int> layers_of(const World& world, const Contacts& contacts) {
+  std::vector<std::pair<int, int>> above;  // of each pair that touches, both ways
+  std::vector<int> layers(world.bodies.size(), 0), next;
+  for (const Contact& contact : contacts) {
+    if (-contact.depth > nearly_touching) continue;
+    const auto [a, b] = world.bodies_of(contact);
+    if (a.movable() && b.movable()) above.insert(above.end(), {{a.index, b.index}, {b.index, a.index}});
+    else if (int& layer = layers[std::size_t((a.movable() ? a : b).index)]; layer == 0)
+      layer = 1, next.push_back((a.movable() ? a : b).index);
+  }
+  std::sort(above.begin(), above.end());
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    const int body = next[i];
+    for (auto at = std::lower_bound(above.begin(), above.end(), std::pair(body, 0));
+         at != above.end() && at->first == body; ++at)
+      if (int& layer = layers[std::size_t(at->second)]; layer == 0)
+        layer = layers[std::size_t(body)] + 1, next.push_back(at->second);
+  }
+  return layers;
+}
+
 /// No corner gets faster than this in dt, whatever the direction, m/s.
 Real fastest_corner(const Body& body, Real dt) {
   const Real spin = body.movable() ? body.angular_velocity.norm() : 0;
@@ -88,6 +111,7 @@ void StepClassifier::classify(const World& world, const Contacts& contacts, Real
   read_contacts(world, contacts, dt, threshold);
   read_joints(world);
   read_bodies(world, limits.turn / dt);
+  find_large(world, contacts, limits);
   for (const Body& body : world.bodies)
     reasons_[std::size_t(body.index)] =
         body.movable() ? reason_for(at(island_of(body.index)), limits) : StepReason::none;
@@ -173,11 +197,44 @@ void StepClassifier::read_bodies(const World& world, Real turn) {
     Island& island = at(island_of(body.index));
     if (body.asleep) island.refuse(StepReason::asleep, body.index);
     if (island.turning < 0 && body.angular_velocity.norm() > turn) island.turning = body.index;
+    island.fastest = std::max(island.fastest, (body.velocity - island.ground_velocity.value_or(Vec3::Zero())).norm());
     island.kept &= step_of(body.index) == StepType::half_steps;
+    island.was_large &= reason_of(body.index) == StepReason::large_pile;
+  }
+}
+
+/// Islands with so many contacts that Fast moves them. Layers and masses are looked at only if there are any.
+void StepClassifier::find_large(const World& world, const Contacts& contacts, const ClassifierLimits& limits) {
+  bool any = false;
+  for (Island& island : by_island_) {
+    island.large = island.may_be_large && island.joints == 0 &&
+                   island.contacts >= (island.was_large ? limits.large / 2 : limits.large);
+    any |= island.large;
+  }
+  if (!any) return;
+  const std::vector<int> layers = layers_of(world, contacts);
+  for (const Body& body : world.bodies) {
+    if (!body.movable()) continue;
+    Island& island = at(island_of(body.index));
+    const int most = limits.most_layers + (island.was_large ? 2 : 0);
+    island.large &= layers[std::size_t(body.index)] <= most;
+  }
+  for (const Contact& contact : contacts) {
+    const auto [a, b] = world.bodies_of(contact);
+    if (!a.movable() || !b.movable()) continue;
+    const auto [lighter, heavier] = std::minmax(a.inverse_mass, b.inverse_mass, std::greater<>());
+    at(island_of(a.index)).large &= lighter <= limits.most_ratio * heavier;
   }
 }
 
 StepReason StepClassifier::reason_for(Island& island, const ClassifierLimits& limits) {
+  const bool moves =
+      island.refused != StepReason::none || island.impact || island.turning >= 0 || island.fastest > limits.calm;
+  if (island.large && moves) {
+    island.many = true;
+    island.limit = limits.large;
+    return StepReason::large_pile;
+  }
   if (island.refused != StepReason::none) return island.refused;
   if (island.near == 0) return island.joints == 0 ? StepReason::no_contact : StepReason::rigid_joints;
   island.limit = island.kept ? limits.most_kept : limits.most;

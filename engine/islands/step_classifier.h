@@ -38,6 +38,7 @@ enum class StepReason : std::uint8_t {
   contacts_and_joints,  ///< many contacts, and joints
   impact,               ///< many contacts, of which one is an impact
   fast_turn,            ///< many contacts, and a body turns fast
+  large_pile,           ///< so many contacts that Fast moves it; half steps may be tried once it is calm
   // substeps, because of half steps that were or would be tried
   no_savings,    ///< many contacts, but not enough savings to pay for half steps
   failed,        ///< half steps failed in this step
@@ -56,6 +57,14 @@ struct ClassifierLimits {
   int most_detections = 4;  ///< in a step, for substeps
   Real turn = Real(0.04);   ///< rad: in an island with many contacts, bodies that turn further in a step get substeps
   int most_meeting = 40;    ///< contacts of bodies that meet in one point each, such as balls, which part at once
+  /// Contacts of an island that moves like a crowd: after a second nothing predicts its bodies' positions, so only overlap, energy and rest
+  /// count. It gets the fewest substeps that keep these, unless it is more than `most_layers` bodies high. Half as many contacts are
+  /// enough if the island was one before.
+  int large = 256;
+  int most_layers = 20;  ///< Fast's springs carry 24 boxes on top of each other (chapter 12, tall columns)
+  Real most_ratio =
+      30;  ///< of two masses near each other: a box lies 0.07 mm deep on Fast's springs, and under a load deeper
+  Real calm = Real(0.1);  ///< m/s, relative to the ground: if all bodies are slower, half steps may be tried
 };
 
 /// m: the distance by which the tips of a body may move in dt due to its rotation.
@@ -80,6 +89,8 @@ class StepClassifier {
   int island_of(int body) { return islands_.island_of(body); }
   /// Whether bodies may meet in this step.
   bool impact(int island) const { return at(island).impact; }
+  /// Whether Fast moves it, unless half steps do.
+  bool large(int island) const { return at(island).large; }
   /// Marks an island whose bodies met unexpectedly.
   void mark_impact(int island) { at(island).impact = true; }
   /// Whether any pair is within the margin. Joints may pull such a pair together.
@@ -96,7 +107,9 @@ class StepClassifier {
   /// The index of the force, joint or body that the reason names.
   int cause(int island) const { return at(island).cause; }
   /// For a body that half steps could not move, or not at this price.
-  void leave_to_substeps(int body, StepReason reason) { reasons_[std::size_t(body)] = reason; }
+  void leave_to_substeps(int body, StepReason reason) {
+    reasons_[std::size_t(body)] = large(island_of(body)) ? StepReason::large_pile : reason;
+  }
 
  private:
   struct Island {
@@ -105,8 +118,11 @@ class StepClassifier {
     int joints = 0;
     Real overlap = 0, deepest = 0;        // m
     std::optional<Vec3> ground_velocity;  // m/s: of everything immovable that is near
+    Real fastest = 0;                     // m/s: a body, relative to the ground
     bool impact = false, many = false;
+    bool large = false, may_be_large = true;
     bool kept = true;                       // all of its bodies had half steps in the step before
+    bool was_large = true;                  // Fast moved all of them
     StepReason refused = StepReason::none;  // the first reason why half steps cannot move it
     int turning = -1;                       // the first body that turns fast
     int cause = -1;
@@ -114,6 +130,8 @@ class StepClassifier {
 
     void refuse(StepReason why, int of = -1) {
       if (refused == StepReason::none) refused = why, cause = of;
+      may_be_large &=
+          why == StepReason::moving_surface || why == StepReason::unequal_grounds || why == StepReason::deep_overlap;
     }
   };
   Island& at(int island) { return by_island_[std::size_t(island)]; }
@@ -122,6 +140,7 @@ class StepClassifier {
   void read_contacts(const World& world, const Contacts& contacts, Real dt, Real threshold);
   void read_joints(const World& world);
   void read_bodies(const World& world, Real turn);  // rad/s
+  void find_large(const World& world, const Contacts& contacts, const ClassifierLimits& limits);
   static StepReason reason_for(Island& island, const ClassifierLimits& limits);
 
   Islands islands_;
