@@ -186,6 +186,7 @@ void IslandSolver::fall_back(const World& world) {
       add_up(island.half_step.stats());
       continue;
     }
+    if (step_of(island.lowest()) != StepType::half_steps) continue;
     for (const int body : island.bodies())
       if (world.body(body).movable()) classifier_.leave_to_substeps(body, StepReason::failed);
   }
@@ -198,7 +199,7 @@ void IslandSolver::step_piles(const World& world, Real dt, int sweeps) {
   islands_.give_found(world, classifier_, contacts_.found);
   for (std::size_t i = 0; i < islands_.size(); ++i) {
     IslandWorld& island = islands_[i];
-    if (classifier_.reason_of(island.lowest()) != StepReason::large_pile) continue;
+    if (!classifier_.is_moved_by_fast(island.lowest())) continue;
     island.copy_bodies(world);
     WithFoundContacts bodies{{&plan.workers->of_bodies(island.world.bodies.size())}, island.found};
     pushback::step(island.world, pile_solver, plan, dt, sweeps, bodies);

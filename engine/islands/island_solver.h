@@ -45,7 +45,7 @@ class IslandSolver : public ForwardingSolver, public IslandSettings {
   /// The half steps of its island; 0 for a body that was moved otherwise.
   int half_steps_of(int body);
   const StepClassifier& classifier() const { return classifier_; }
-  /// The islands that half steps moved, or were tried on.
+  /// The islands that half steps moved, or were tried on, and those that Fast moved.
   const IslandWorlds& islands() const { return islands_; }
 
  private:

@@ -7,7 +7,7 @@ namespace pushback {
 namespace {
 
 bool has_world(const StepClassifier& classifier, int body) {
-  return classifier.step_of(body) == StepType::half_steps || classifier.reason_of(body) == StepReason::large_pile;
+  return classifier.step_of(body) == StepType::half_steps || classifier.is_moved_by_fast(body);
 }
 
 }  // namespace
@@ -63,7 +63,7 @@ void IslandWorlds::give_found(const World& world, StepClassifier& classifier, co
   for (const Contact& contact : found) {
     const auto [a, b] = world.bodies_of(contact);
     const int moving = (a.movable() ? a : b).index;
-    if (classifier.reason_of(moving) != StepReason::large_pile || contact.id.feature == no_feature) continue;
+    if (!classifier.is_moved_by_fast(moving) || contact.id.feature == no_feature) continue;
     if (IslandWorld* island = island_of(a, b, classifier)) island->add_found(contact);
   }
 }

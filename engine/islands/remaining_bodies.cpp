@@ -12,8 +12,7 @@ namespace pushback {
 namespace {
 
 bool remains(const Body& body, const StepClassifier& classifier) {
-  return classifier.step_of(body.index) == StepType::substeps &&
-         classifier.reason_of(body.index) != StepReason::large_pile;
+  return classifier.step_of(body.index) == StepType::substeps && !classifier.is_moved_by_fast(body.index);
 }
 
 /// The remaining bodies, as World::step knows them, in a world whose contacts have been found.

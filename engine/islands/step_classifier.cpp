@@ -108,13 +108,18 @@ void StepClassifier::classify(const World& world, const Contacts& contacts, Real
   islands_.join(world.joints, world);
   by_island_.assign(all_.size(), {});
   reasons_.resize(all_.size(), StepReason::none);
+  by_fast_.resize(all_.size(), false);
   read_contacts(world, contacts, dt, threshold);
   read_joints(world);
   read_bodies(world, limits.turn / dt);
   find_large(world, contacts, limits);
-  for (const Body& body : world.bodies)
-    reasons_[std::size_t(body.index)] =
-        body.movable() ? reason_for(at(island_of(body.index)), limits) : StepReason::none;
+  for (const Body& body : world.bodies) {
+    if (!body.movable()) continue;
+    Island& island = at(island_of(body.index));
+    const StepReason reason = reason_for(island, limits);
+    reasons_[std::size_t(body.index)] = reason;
+    by_fast_[std::size_t(body.index)] = island.large && type_of(reason) == StepType::substeps;
+  }
 }
 
 void StepClassifier::read_contacts(const World& world, const Contacts& contacts, Real dt, Real threshold) {
@@ -199,7 +204,7 @@ void StepClassifier::read_bodies(const World& world, Real turn) {
     if (island.turning < 0 && body.angular_velocity.norm() > turn) island.turning = body.index;
     island.fastest = std::max(island.fastest, (body.velocity - island.ground_velocity.value_or(Vec3::Zero())).norm());
     island.kept &= step_of(body.index) == StepType::half_steps;
-    island.was_large &= reason_of(body.index) == StepReason::large_pile;
+    island.was_large &= by_fast_[std::size_t(body.index)];
   }
 }
 

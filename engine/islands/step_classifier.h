@@ -89,8 +89,8 @@ class StepClassifier {
   int island_of(int body) { return islands_.island_of(body); }
   /// Whether bodies may meet in this step.
   bool impact(int island) const { return at(island).impact; }
-  /// Whether Fast moves it, unless half steps do.
-  bool large(int island) const { return at(island).large; }
+  /// Whether the substeps of a body are those of Fast.
+  bool is_moved_by_fast(int body) const { return by_fast_[std::size_t(body)]; }
   /// Marks an island whose bodies met unexpectedly.
   void mark_impact(int island) { at(island).impact = true; }
   /// Whether any pair is within the margin. Joints may pull such a pair together.
@@ -108,7 +108,8 @@ class StepClassifier {
   int cause(int island) const { return at(island).cause; }
   /// For a body that half steps could not move, or not at this price.
   void leave_to_substeps(int body, StepReason reason) {
-    reasons_[std::size_t(body)] = large(island_of(body)) ? StepReason::large_pile : reason;
+    reasons_[std::size_t(body)] = reason;
+    by_fast_[std::size_t(body)] = at(island_of(body)).large;
   }
 
  private:
@@ -147,6 +148,7 @@ class StepClassifier {
   std::vector<int> all_;             // bodies
   std::vector<Island> by_island_;    // of each body that is the lowest of its island
   std::vector<StepReason> reasons_;  // of each body
+  std::vector<bool> by_fast_;        // of each body
 };
 
 }  // namespace pushback

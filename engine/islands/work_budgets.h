@@ -29,7 +29,7 @@ class WorkBudgets {
       if (!body.movable() || classifier.island_of(i) != i || !classifier.many_contacts(i) ||
           classifier.step_of(i) != StepType::substeps)
         continue;
-      const double work = price(i, classifier, settings) * (classifier.large(i) ? work_of_fast : 1);
+      const double work = price(i, classifier, settings) * (classifier.is_moved_by_fast(i) ? work_of_fast : 1);
       of(i).save(settings.fraction * work, settings.most * work);
     }
     for (const Body& body : world.bodies)

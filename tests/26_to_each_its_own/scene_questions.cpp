@@ -10,6 +10,7 @@
 #include "pushback/chapters/26_to_each_its_own/scenes.h"
 #include "pushback/common/world/forces.h"
 #include "pushback/common/world/measure.h"
+#include "pushback/common/world/situations.h"
 #include "pushback/engine/presets.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
@@ -114,6 +115,14 @@ std::vector<Reason> every_reason() {
             })},
       {fast_turn, substeps, "12 contacts, more than 8, and box 3 turns fast",
        with(stack_of(3), [&](World& world) { last(world).spinning({0, 3, 0}); })},
+      {large_pile, substeps, "400 contacts, at least 256, in a pile that moves: as by Fast",
+       [] {
+         World moving;
+         pyramid(moving, 10);
+         for (Body& body : moving.bodies)
+           if (body.movable()) body.moving({1, 0, 0});
+         return moving;
+       }()},
       {no_savings, substeps, "12 contacts, more than 8, and half steps cost more than was saved", stack_of(3),
        without_savings},
       {failed, substeps, failure, driven},

@@ -23,10 +23,12 @@ std::vector<Try> tries_of(const IslandSolver& solver) {
   for (std::size_t i = 0; i < solver.islands().size(); ++i) {
     const IslandWorld& island = solver.islands()[i];
     if (!solver.classifier().many_contacts(island.lowest())) continue;
+    const StepReason reason = solver.classifier().reason_of(island.lowest());
+    if (type_of(reason) == StepType::substeps && reason != StepReason::failed) continue;
     const HalfStep& half_step = island.half_step;
     tries.push_back({half_step.most_work, half_step.work(),
                      WorkBudgets::price(island.lowest(), solver.classifier(), solver.budget),
-                     half_step.fall_back_to_full_solve, island.held});
+                     half_step.fall_back_to_full_solve, type_of(reason) == StepType::half_steps});
   }
   return tries;
 }
