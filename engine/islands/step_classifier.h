@@ -89,6 +89,8 @@ class StepClassifier {
   int island_of(int body) { return islands_.island_of(body); }
   /// Whether bodies may meet in this step.
   bool impact(int island) const { return at(island).impact; }
+  /// Whether Fast moved the island in the step before, and may move it now.
+  bool was_large(int island) const { return at(island).large && at(island).was_large; }
   /// Whether the substeps of a body are those of Fast.
   bool is_moved_by_fast(int body) const { return by_fast_[std::size_t(body)]; }
   /// Marks an island whose bodies met unexpectedly.

@@ -29,16 +29,16 @@ class WorkBudgets {
       if (!body.movable() || classifier.island_of(i) != i || !classifier.many_contacts(i) ||
           classifier.step_of(i) != StepType::substeps)
         continue;
-      const double work = price(i, classifier, settings) * (classifier.is_moved_by_fast(i) ? work_of_fast : 1);
+      const double work = price(i, classifier, settings);
       of(i).save(settings.fraction * work, settings.most * work);
     }
     for (const Body& body : world.bodies)
       if (body.movable()) by_body_[std::size_t(body.index)] = of(classifier.island_of(body.index)).share();
   }
   WorkBudget& of(int island) { return by_island_[std::size_t(island)]; }
-  /// Multiplications, which are the work of substeps in a step.
+  /// Multiplications, which are the work of substeps in a step. If Fast has moved the island, the work is Fast's.
   static double price(int island, const StepClassifier& classifier, const WorkBudgetSettings& settings) {
-    return settings.per_contact * classifier.contacts(island);
+    return (classifier.was_large(island) ? work_of_fast : 1) * settings.per_contact * classifier.contacts(island);
   }
 
  private:
