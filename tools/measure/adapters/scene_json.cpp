@@ -23,6 +23,10 @@ Json json_of(const Vec3& v) {
   return {v.x(), v.y(), v.z()};
 }
 
+Vec3 vec3_of(const Json& json) {
+  return {json[0].get<Real>(), json[1].get<Real>(), json[2].get<Real>()};
+}
+
 Json json_of(const Quat& q) {
   return {q.w(), q.x(), q.y(), q.z()};
 }
@@ -183,7 +187,7 @@ class From {
   }
   Vec3 vector_of(const Json& v, const char* field, Real least, Real most) const {
     if (!are_numbers(v, 3, least, most)) wrong(field, fmt::format("three numbers from {} to {}", least, most));
-    return {v[0].get<Real>(), v[1].get<Real>(), v[2].get<Real>()};
+    return vec3_of(v);
   }
 
   const Json& json_;

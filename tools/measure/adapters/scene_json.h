@@ -12,6 +12,8 @@ namespace pushback {
 using Json = nlohmann::ordered_json;
 
 Json json_of(const Vec3& v);
+/// Back, of three numbers.
+Vec3 vec3_of(const Json& json);
 /// w, x, y, z.
 Json json_of(const Quat& q);
 

@@ -1,0 +1,88 @@
+/// ./course run outside: scenes that others made, and large ones, by our presets and by the engines that were built.
+#include <algorithm>
+#include <filesystem>
+
+#include "pushback/common/basics/files.h"
+#include "pushback/common/basics/process.h"
+#include "pushback/common/experiment/program.h"
+#include "pushback/engine/presets.h"
+#include "pushback/tools/measure/hard_cases/peers.h"
+#include "pushback/tools/measure/outside/report.h"
+#include "pushback/tools/measure/results/csv.h"
+#include "pushback/tools/measure/results/origin.h"
+
+using namespace pushback;
+using namespace pushback::outside;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct WithinAMillimetre : Recommended {
+  WithinAMillimetre() { error = Real(1e-3); }
+};
+
+std::vector<Stage> our_stages() {
+  return {{{"Fast", "8 substeps in float", Fast{}, {}}},
+          {{"Recommended", "each island its own step", Recommended{}, {}}},
+          {{"Recommended, 1 mm", "with an error asked of 1 mm", WithinAMillimetre{}, {}}}};
+}
+
+/// By a program of its own, which may crash or never end.
+Played played_apart(const fs::path& program, const OutsideScene& scene, const PeerSetting& setting, double at_most) {
+  const Ended ended =
+      run_program({program.string(), scene.name, setting.name, fmt::format("{}", at_most)}, 3 * at_most);
+  Played played{.scene = scene.name, .solver = setting.name};
+  if (ended.status == 0) return read_line(ended.out);
+  played.broken = ended.out_of_time ? fmt::format("took more than {} s", at_most) : "crashed";
+  return played;
+}
+
+std::vector<const OutsideScene*> scenes_named(const std::vector<std::string>& names) {
+  std::vector<const OutsideScene*> list;
+  for (const OutsideScene& scene : outside_scenes())
+    if (names.empty() || std::find(names.begin(), names.end(), scene.name) != names.end()) list.push_back(&scene);
+  for (const std::string& name : names) scene_named(name);  // throws
+  return list;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CommandLine line("Scenes that others made, and large ones, by our presets and by the engines that were built.");
+  std::vector<std::string> names;
+  std::string out = "renders/here", page;
+  double at_most = 60;
+  line.option("SCENE", names, "Only these scenes");
+  line.option("--out", out, "The folder for scenes_from_outside.csv and .md").shows_default();
+  line.option("--page", page, "The page whose tables are replaced");
+  line.option("--at-most", at_most, "A solver gives up a scene after so many seconds")
+      .between(1.0, 3600.0)
+      .shows_default();
+  return line.run(argc, argv, [&] {
+    make_writable_folder(out);
+    const std::string load = load_now();
+    const fs::path programs = fs::canonical("/proc/self/exe").parent_path();
+    std::vector<Played> all;
+    std::string csv = fmt::format("{}\n", heading);
+    const auto keep = [&](const Played& played) {
+      fmt::print(stderr, "{}", line_of(played));
+      csv += line_of(played);
+      all.push_back(played);
+    };
+    std::vector<std::string> ours;
+    const std::vector<Stage> stages = our_stages();
+    for (const Stage& stage : stages) ours.push_back(stage.name);
+    for (const OutsideScene* scene : scenes_named(names)) {
+      for (const Stage& stage : stages) keep(play(*scene, stage, at_most));
+      for (const PeerSetting& setting : peer_settings())
+        if (const fs::path program = programs / ("outside_" + setting.engine); fs::exists(program))
+          keep(played_apart(program, *scene, setting, at_most));
+    }
+    const std::string text = fmt::format("\n{}{}\nLoad of the machine before and after: {} and {}.\n", list_of_scenes(),
+                                         tables(all, ours), load, load_now());
+    write_text_file(fs::path(out) / "scenes_from_outside.csv", csv);
+    write_text_file(fs::path(out) / "scenes_from_outside.md", text);
+    if (!page.empty()) write_text_file(page, with_tables(read_text_file(page), text));
+    fmt::print("{}", text);
+  });
+}
