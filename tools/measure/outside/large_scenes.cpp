@@ -100,19 +100,19 @@ void add_panel(World& world, Real inner, Real outer, Real from, Real to) {
   world.add(hull(points, 1).fixed().rough(Real(0.6)));
 }
 
-/// A drum of 36 panels with four paddles, and the 512 cubes of the source's small build. The drum's axis is the axis z.
-void drum(World& world) {
+/// n x n x n cubes, `apart` m from centre to centre, in a drum of 36 panels. The drum's axis is the axis z.
+void drum(World& world, bool paddles, int n, Real half, Real apart) {
   world.gravity = {0, -10, 0};
   world.add(half_space({0, 1, 0}).at({0, -21, 0}).rough(Real(0.6)));
   for (int i = 0; i < 36; ++i) {
     const Real from = Real(i) * pi / 18, to = from + pi / 18;
     add_panel(world, 16, 18, from - pi / 180, to + pi / 180);
-    if (i % 9 == 0) add_panel(world, 14, 16, from, to);
+    if (paddles && i % 9 == 0) add_panel(world, 14, 16, from, to);
   }
-  for (int i = 0; i < 512; ++i)
-    world.add(box(Vec3::Constant(Real(0.2)), 64)
+  for (int i = 0; i < n * n * n; ++i)
+    world.add(box(Vec3::Constant(half), 8000 * half * half * half)
                   .rough(Real(0.6))
-                  .at(Real(0.8) * Vec3(Real(i / 64 - 4), Real(i / 8 % 8 - 4), Real(i % 8 - 4))));
+                  .at(apart * Vec3(Real(i / n / n - n / 2), Real(i / n % n - n / 2), Real(i % n - n / 2))));
 }
 
 void turn_drum(World& world, const World& start, Real dt) {
@@ -120,14 +120,6 @@ void turn_drum(World& world, const World& start, Real dt) {
   for (std::size_t i = 0; i < start.bodies.size(); ++i)
     if (std::holds_alternative<Hull>(start.bodies[i].shape))
       world.bodies[i].moved_to(turn * start.bodies[i].position, turn * start.bodies[i].orientation, dt);
-}
-
-/// Degrees from straight below the axis: where the contents are. They lie on a slope as steep.
-Real slope_in_drum(const World& now) {
-  Vec3 sum = Vec3::Zero();
-  for (const Body& body : now.bodies)
-    if (body.movable()) sum += body.position;
-  return std::atan2(sum.x(), -sum.y()) * 180 / pi;
 }
 
 }  // namespace
@@ -138,7 +130,14 @@ const std::vector<LargeScene>& large_scenes() {
       {.name = "boxes_4000", .fill = [](World& world) { heap(world, 20, 10, -10); }, .slope = slope_of_cone},
       {.name = "ragdolls_100", .fill = ragdolls},
       {.name = "hulls_2048", .fill = hulls},
-      {.name = "drum", .fill = drum, .drive = turn_drum, .drum = drum_speed, .slope = slope_in_drum}};
+      {.name = "drum_with_paddles",
+       .fill = [](World& world) { drum(world, true, 8, Real(0.2), Real(0.8)); },
+       .drive = turn_drum,
+       .drum = drum_speed},
+      {.name = "smooth_drum",
+       .fill = [](World& world) { drum(world, false, 10, Real(0.5), Real(1.5)); },
+       .drive = turn_drum,
+       .drum = drum_speed}};
   return all;
 }
 

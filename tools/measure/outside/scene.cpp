@@ -58,6 +58,14 @@ Real largest_gap(const World& now) {
   return most;
 }
 
+/// Degrees from straight below the origin: where the middle of the bodies is.
+Real angle_from_below(const World& now) {
+  Vec3 sum = Vec3::Zero();
+  for (const Body& body : now.bodies)
+    if (body.movable()) sum += body.position;
+  return std::abs(std::atan2(sum.x(), -sum.y())) * 180 / pi;
+}
+
 /// mm/s: how far the pushed bodies' velocities are from what they must be.
 Look error_of_speed(const OutsideScene& scene) {
   return largest(
@@ -135,6 +143,7 @@ const std::map<std::string, Judge>& judges() {
   static const std::map<std::string, Judge> all{
       {"accelerates", [](S scene, W) { return error_of_speed(scene); }},
       {"bounces", [](S, W) { return bounces(); }},
+      {"climbs", [](S scene, W) { return largest(angle_from_below, scene.after); }},
       {"comes down",  // the last body, m
        [](S, W start) {
          return largest([y = start.bodies.back().position.y()](W now) { return y - now.bodies.back().position.y(); },
