@@ -24,7 +24,7 @@ Real slope_of_cone(const World& now) {
 
 /// Adds MuJoCo's humanoid, turned and moved, to a scene that already has its ground.
 void add_humanoid(Json& scene, const Json& humanoid, const Quat& turn, const Vec3& move) {
-  const int before = static_cast<int>(scene["bodies"].size()) - 1;
+  const auto before = static_cast<unsigned>(scene["bodies"].size()) - 1;
   for (std::size_t i = 1; i < humanoid["bodies"].size(); ++i) {
     Json body = humanoid["bodies"][i];
     body["position"] = json_of(Vec3(turn * vec3_of(body["position"]) + move));
@@ -34,7 +34,7 @@ void add_humanoid(Json& scene, const Json& humanoid, const Quat& turn, const Vec
     scene["bodies"].push_back(body);
   }
   for (Json joint : humanoid["joints"]) {
-    for (const char* end : {"a", "b"}) joint[end] = joint[end].get<int>() + before;
+    for (const char* end : {"a", "b"}) joint[end] = joint[end].get<unsigned>() + before;
     if (joint.contains("anchor")) joint["anchor"] = json_of(Vec3(turn * vec3_of(joint["anchor"]) + move));
     for (const char* axis : {"axis", "axis_b"})
       if (joint.contains(axis)) joint[axis] = json_of(Vec3(turn * vec3_of(joint[axis])));

@@ -29,10 +29,10 @@ std::vector<Stage> our_stages() {
 
 /// By a program of its own, which may crash or never end.
 Played played_apart(const fs::path& program, const OutsideScene& scene, const PeerSetting& setting, double at_most) {
-  const Ended ended =
-      run_program({program.string(), scene.name, setting.name, fmt::format("{}", at_most)}, 3 * at_most);
+  const Ended ended = run_program({program.string(), scene.name, setting.name, fmt::format("{}", at_most)},
+                                  10 * at_most);  // it looks at the scene as well
   Played played{.scene = scene.name, .solver = setting.name};
-  if (ended.status == 0) return read_line(ended.out);
+  if (ended.status == 0) return read_lines(fmt::format("{}\n{}", heading, ended.out)).at(0);
   played.broken = ended.out_of_time ? fmt::format("took more than {} s", at_most) : "crashed";
   return played;
 }
@@ -45,42 +45,48 @@ std::vector<const OutsideScene*> scenes_named(const std::vector<std::string>& na
   return list;
 }
 
+std::vector<Played> played(const std::vector<const OutsideScene*>& scenes, const std::vector<Stage>& stages,
+                           double at_most) {
+  const fs::path programs = fs::canonical("/proc/self/exe").parent_path();
+  std::vector<Played> all;
+  const auto keep = [&all](const Played& one) {
+    fmt::print(stderr, "{}", line_of(one));
+    all.push_back(one);
+  };
+  for (const OutsideScene* scene : scenes) {
+    for (const Stage& stage : stages) keep(play(*scene, stage, at_most));
+    for (const PeerSetting& setting : peer_settings())
+      if (const fs::path program = programs / ("outside_" + setting.engine); fs::exists(program))
+        keep(played_apart(program, *scene, setting, at_most));
+  }
+  return all;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   CommandLine line("Scenes that others made, and large ones, by our presets and by the engines that were built.");
   std::vector<std::string> names;
-  std::string out = "renders/here", page;
+  std::string out = "renders/here", page, from;
   double at_most = 60;
   line.option("SCENE", names, "Only these scenes");
   line.option("--out", out, "The folder for scenes_from_outside.csv and .md").shows_default();
   line.option("--page", page, "The page whose tables are replaced");
+  line.option("--from", from, "Play nothing: the tables of this scenes_from_outside.csv");
   line.option("--at-most", at_most, "A solver gives up a scene after so many seconds")
       .between(1.0, 3600.0)
       .shows_default();
   return line.run(argc, argv, [&] {
     make_writable_folder(out);
     const std::string load = load_now();
-    const fs::path programs = fs::canonical("/proc/self/exe").parent_path();
-    std::vector<Played> all;
-    std::string csv = fmt::format("{}\n", heading);
-    const auto keep = [&](const Played& played) {
-      fmt::print(stderr, "{}", line_of(played));
-      csv += line_of(played);
-      all.push_back(played);
-    };
-    std::vector<std::string> ours;
     const std::vector<Stage> stages = our_stages();
+    const std::vector<Played> all =
+        from.empty() ? played(scenes_named(names), stages, at_most) : read_lines(read_text_file(from));
+    std::vector<std::string> ours;
     for (const Stage& stage : stages) ours.push_back(stage.name);
-    for (const OutsideScene* scene : scenes_named(names)) {
-      for (const Stage& stage : stages) keep(play(*scene, stage, at_most));
-      for (const PeerSetting& setting : peer_settings())
-        if (const fs::path program = programs / ("outside_" + setting.engine); fs::exists(program))
-          keep(played_apart(program, *scene, setting, at_most));
-    }
-    const std::string text = fmt::format("\n{}{}\nLoad of the machine before and after: {} and {}.\n", list_of_scenes(),
-                                         tables(all, ours), load, load_now());
-    write_text_file(fs::path(out) / "scenes_from_outside.csv", csv);
+    std::string text = fmt::format("\n{}{}", list_of_scenes(), tables(all, ours));
+    if (from.empty()) text += fmt::format("\nLoad of the machine before and after: {} and {}.\n", load, load_now());
+    write_text_file(fs::path(out) / "scenes_from_outside.csv", text_of(all));
     write_text_file(fs::path(out) / "scenes_from_outside.md", text);
     if (!page.empty()) write_text_file(page, with_tables(read_text_file(page), text));
     fmt::print("{}", text);

@@ -109,7 +109,7 @@ Played play(const OutsideScene& scene, const Stage& stage, double at_most) {
       energy.look(seen, dt / static_cast<Real>(stage.substeps(dt)), stepper.half_steps);
       played.number = static_cast<double>(look(seen));
     }
-  } catch (const InvalidInput& problem) {
+  } catch (const std::exception& problem) {  // an engine that gives up may throw anything
     played.broken = fmt::format("{} after {:.3g} s", problem.what(), world.time);
   }
   if (!overlaps.empty()) {
@@ -131,22 +131,29 @@ std::string line_of(const Played& one) {
                      one.ms_worst, csv_field(one.broken));
 }
 
-Played read_line(const std::string& line) {
-  Played read;
-  read_csv_lines(fmt::format("{}\n{}", heading, line), heading, [&read](const std::vector<std::string>& fields) {
+std::string text_of(const std::vector<Played>& all) {
+  std::string text = fmt::format("{}\n", heading);
+  for (const Played& one : all) text += line_of(one);
+  return text;
+}
+
+std::vector<Played> read_lines(const std::string& text) {
+  std::vector<Played> all;
+  read_csv_lines(text, heading, [&all](const std::vector<std::string>& fields) {
     const auto number = [&fields](std::size_t i) { return csv_number<double>(fields[i]); };
-    read = {.scene = fields[0],
-            .solver = fields[1],
-            .number = number(2),
-            .overlap_median = number(3),
-            .overlap_worst = number(4),
-            .gained = number(5),
-            .slope = number(6),
-            .ms_median = number(7),
-            .ms_worst = number(8),
-            .broken = fields[9]};
+    scene_named(fields[0]);
+    all.push_back({.scene = fields[0],
+                   .solver = fields[1],
+                   .number = number(2),
+                   .overlap_median = number(3),
+                   .overlap_worst = number(4),
+                   .gained = number(5),
+                   .slope = number(6),
+                   .ms_median = number(7),
+                   .ms_worst = number(8),
+                   .broken = fields[9]});
   });
-  return read;
+  return all;
 }
 
 }  // namespace pushback::outside

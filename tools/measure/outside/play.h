@@ -25,8 +25,9 @@ struct Played {
 Played play(const OutsideScene& scene, const Stage& stage, double at_most = 60);
 
 std::string line_of(const Played& played);
-/// Back. Throws InvalidInput where the text is no such line.
-Played read_line(const std::string& line);
+std::string text_of(const std::vector<Played>& all);
+/// Back. Throws InvalidInput where the text is none of these.
+std::vector<Played> read_lines(const std::string& text);
 inline constexpr const char* heading =
     "scene,solver,number,overlap_median,overlap_worst,gained,slope,ms_median,ms_worst,broken";
 
