@@ -53,7 +53,7 @@ filled() {
     END              { exit found ? 0 : 1 }' "$1"
 }
 
-declare -A folder_of=([docs/which_solver.md]=26_to_each_its_own)  # of a page outside the chapters, the folder in renders/
+declare -A folder_of=([docs/which_solver.md]=26_to_each_its_own [docs/results/scenes_from_outside.md]=outside)  # of a page outside the chapters, the folder in renders/
 for result in cheapest_settings choices_by_robust_errors detected_once effect_of_a_doubling errors_by_motion fastest_by_regime gain_of_half_steps large_frozen_problems settings_and_machine times_beside_other_engines \
   times_for_1_mm; do folder_of[docs/results/$result.md]=19_accuracy_and_time; done
 for result in error_limits hard_cases time_for_1_mm with_equal_work; do folder_of[docs/results/methods_$result.md]=methods; done

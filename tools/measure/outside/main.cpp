@@ -67,28 +67,27 @@ std::vector<Played> played(const std::vector<const OutsideScene*>& scenes, const
 int main(int argc, char** argv) {
   CommandLine line("Scenes that others made, and large ones, by our presets and by the engines that were built.");
   std::vector<std::string> names;
-  std::string out = "renders/here", page, from;
+  std::string out = "renders/here", from;
   double at_most = 60;
   line.option("SCENE", names, "Only these scenes");
-  line.option("--out", out, "The folder for scenes_from_outside.csv and .md").shows_default();
-  line.option("--page", page, "The page whose tables are replaced");
+  line.option("--out", out, "The folder to write to").shows_default();
   line.option("--from", from, "Play nothing: the tables of this scenes_from_outside.csv");
   line.option("--at-most", at_most, "A solver gives up a scene after so many seconds")
       .between(1.0, 3600.0)
       .shows_default();
   return line.run(argc, argv, [&] {
-    make_writable_folder(out);
+    const fs::path folder = fs::path(out) / "outside";
+    make_writable_folder(folder);
     const std::string load = load_now();
     const std::vector<Stage> stages = our_stages();
     const std::vector<Played> all =
         from.empty() ? played(scenes_named(names), stages, at_most) : read_lines(read_text_file(from));
     std::vector<std::string> ours;
     for (const Stage& stage : stages) ours.push_back(stage.name);
-    std::string text = fmt::format("\n{}{}", list_of_scenes(), tables(all, ours));
+    std::string text = fmt::format("{}{}", list_of_scenes(), tables(all, ours));
     if (from.empty()) text += fmt::format("\nLoad of the machine before and after: {} and {}.\n", load, load_now());
-    write_text_file(fs::path(out) / "scenes_from_outside.csv", text_of(all));
-    write_text_file(fs::path(out) / "scenes_from_outside.md", text);
-    if (!page.empty()) write_text_file(page, with_tables(read_text_file(page), text));
+    write_text_file(folder / "scenes_from_outside.csv", text_of(all));
+    write_text_file(folder / "scenes_from_outside.md", text);
     fmt::print("{}", text);
   });
 }

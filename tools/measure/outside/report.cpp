@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <set>
 
-#include "pushback/common/basics/input.h"
 #include "pushback/tools/measure/hard_cases/hard_case.h"
 #include "pushback/tools/measure/results/markdown.h"
 
 namespace pushback::outside {
 
 namespace {
-
-constexpr const char* begin_mark = "<!-- ./course run outside -->\n";
-constexpr const char* end_mark = "<!-- end -->\n";
 
 class Results {
  public:
@@ -105,13 +101,6 @@ std::string list_of_scenes() {
     text += markdown_row({fmt::format("{} (`{}`, {:g} s)", scene.title, scene.name, scene.seconds), scene.source,
                           scene.must, fmt::format("{:g}{}{}", scene.limit, scene.unit.empty() ? "" : " ", scene.unit)});
   return text;
-}
-
-std::string with_tables(const std::string& page, const std::string& tables) {
-  const std::size_t begin = page.find(begin_mark), end = page.find(end_mark);
-  if (begin == std::string::npos || end == std::string::npos || end < begin)
-    throw InvalidInput(fmt::format("the page has no lines '{}' and '{}'", std::string(begin_mark, 29), "<!-- end -->"));
-  return page.substr(0, begin) + begin_mark + tables + "\n" + page.substr(end);
 }
 
 }  // namespace pushback::outside

@@ -12,7 +12,4 @@ std::string tables(const std::vector<Played>& all, const std::vector<std::string
 /// All scenes, with their sources and with what must come of each.
 std::string list_of_scenes();
 
-/// A page with the part between its marks replaced. Throws InvalidInput where the page has no marks.
-std::string with_tables(const std::string& page, const std::string& tables);
-
 }  // namespace pushback::outside
