@@ -23,6 +23,7 @@ tries=(  # each command of ./course --help, for a moment; those that read what o
   "test --book build live_page files"
   "study --quick -- --only bounce"
   "run prices --rounds 1"
+  "run outside sphere_in_slot"
   "run calibration --scenes 5"
   "run benchmark /tmp/benchmark"
   "run adapter tools/measure/adapters/template.mjs"

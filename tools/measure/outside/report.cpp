@@ -1,7 +1,6 @@
 #include "pushback/tools/measure/outside/report.h"
 
 #include <algorithm>
-#include <set>
 
 #include "pushback/tools/measure/hard_cases/hard_case.h"
 #include "pushback/tools/measure/results/markdown.h"
@@ -24,10 +23,11 @@ class Results {
                                     [&](const Played& one) { return one.scene == scene.name && one.solver == solver; });
     return found == all_.end() ? nullptr : &*found;
   }
-  bool any_passes(const OutsideScene& scene, const std::set<std::string>& among) const {
-    return std::any_of(among.begin(), among.end(), [&](const std::string& solver) {
+  /// How many of these fail.
+  long failed(const OutsideScene& scene, const std::vector<std::string>& among) const {
+    return std::count_if(among.begin(), among.end(), [&](const std::string& solver) {
       const Played* one = of(scene, solver);
-      return one && one->passed(scene);
+      return !one || !one->passed(scene);
     });
   }
 
@@ -42,11 +42,17 @@ bool lacks(const Played& one) {
   return one.broken.starts_with(not_possible);
 }
 
+std::string number(double value) {
+  return value > 0 && value < 1e-6 ? "< 1e-6"
+         : value < 100             ? fmt::format("{:.2g}", value)
+                                   : fmt::format("{:.0f}", value);
+}
+
 std::string outcome(const OutsideScene& scene, const Played& one) {
   if (lacks(one)) return "–";
   const std::string mark = one.passed(scene) ? "✓" : "✗";
   if (!one.broken.empty()) return fmt::format("{} {}", mark, one.broken);
-  std::string said = fmt::format("{} {:.2g}{}{}", mark, one.number, scene.unit.empty() ? "" : " ", scene.unit);
+  std::string said = fmt::format("{} {}{}{}", mark, number(one.number), scene.unit.empty() ? "" : " ", scene.unit);
   if (one.gained > 100 * scene.gain) said += ", energy";
   if (one.overlap_median > 100 * scene.half_thickness) said += ", overlap";
   if (one.slope != 0) said += fmt::format(", {:.0f}°", one.slope);
@@ -55,11 +61,11 @@ std::string outcome(const OutsideScene& scene, const Played& one) {
 
 std::string overlap_and_energy(const OutsideScene&, const Played& one) {
   if (lacks(one) || !one.broken.empty()) return "–";
-  return fmt::format("{:.2g}, {:.2g}; {:.2g}", one.overlap_median, one.overlap_worst, one.gained);
+  return fmt::format("{}, {}; {}", number(one.overlap_median), number(one.overlap_worst), number(one.gained));
 }
 
 std::string time_of(const OutsideScene&, const Played& one) {
-  return lacks(one) ? "–" : fmt::format("{:.2g}, {:.2g}", one.ms_median, one.ms_worst);
+  return lacks(one) || one.ms_worst == 0 ? "–" : fmt::format("{}, {}", number(one.ms_median), number(one.ms_worst));
 }
 
 template <class Cell>
@@ -82,14 +88,14 @@ std::string table(const Results& results, const std::string& corner, const Cell&
 
 std::string tables(const std::vector<Played>& all, const std::vector<std::string>& ours) {
   Results results(all);
-  const std::set<std::string> own(ours.begin(), ours.end());
-  std::set<std::string> others(results.solvers.begin(), results.solvers.end());
-  for (const std::string& one : ours) others.erase(one);
-  const auto rank = [&](const OutsideScene& scene) {
-    return results.any_passes(scene, own) ? 2 : results.any_passes(scene, others) ? 0 : 1;
+  std::vector<std::string> others = results.solvers;
+  std::erase_if(others, [&](const std::string& one) { return std::find(ours.begin(), ours.end(), one) != ours.end(); });
+  const auto lost = [&](const OutsideScene* scene) {  // half a place behind where all others fail, too
+    const bool won = results.failed(*scene, others) < static_cast<long>(others.size());
+    return 2 * results.failed(*scene, ours) - (won ? 0 : 1);
   };
   std::stable_sort(results.scenes.begin(), results.scenes.end(),
-                   [&](const OutsideScene* a, const OutsideScene* b) { return rank(*a) < rank(*b); });
+                   [&](const OutsideScene* a, const OutsideScene* b) { return lost(a) > lost(b); });
   return fmt::format("\n{}\n{}\n{}", table(results, "scene, and the number by which it is judged", outcome),
                      table(results, "overlap in mm, median and worst; energy gained in %", overlap_and_energy),
                      table(results, "ms a step, median and worst", time_of));

@@ -6,7 +6,7 @@
 namespace pushback::outside {
 
 /// Three tables, a row for each scene and a column for each solver: what came of it; overlap and energy; time. First the scenes in
-/// which none of `ours` passes, but another does.
+/// which most of `ours` fail.
 std::string tables(const std::vector<Played>& all, const std::vector<std::string>& ours);
 
 /// All scenes, with their sources and with what must come of each.
