@@ -62,7 +62,7 @@ Motion fall() {
 void under_each(const std::function<void(const PeerSetting&)>& check) {
   int settings = 0;
   for (const PeerSetting& setting : settings_of_peer()) {
-    if (setting.engine != peer) continue;
+    if (setting.engine != peer || setting.further) continue;
     ++settings;
     INFO(setting.name);
     check(setting);

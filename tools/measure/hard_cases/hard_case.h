@@ -109,7 +109,8 @@ struct Outcome {
   double ms_per_step = 0;               ///< wall time; the only entry that differs from run to run
   std::vector<Real> largest = numbers;  ///< one a criterion, of all starts
   int starts = 1, starts_passed = 0;
-  bool ended = true;  ///< false: the process that played it came to no good end, and `broken` says how
+  std::string by = {};  ///< of the best of several stages: which one it is
+  bool ended = true;    ///< false: the process that played it came to no good end, and `broken` says how
   /// Whether who played it has all that the case asks for.
   bool possible() const { return !broken.starts_with(not_possible); }
   /// From every start, every number within its limit, and no invariant broken.

@@ -28,6 +28,8 @@ struct Stage : NamedSolver {
   /// The program, and its arguments, that plays a case under it by a process of its own, as it may crash or never end. Empty: it is
   /// played here.
   std::vector<std::string> apart = {};
+  /// Its outcome is on each case the best of these, which are tried until one passes. Empty: its own.
+  std::vector<Stage> tries = {};
   /// The rounding unit of the numbers that it computes with.
   Real epsilon = std::numeric_limits<Real>::epsilon();
 

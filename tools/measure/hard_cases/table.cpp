@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -101,7 +102,9 @@ std::string passed_of_starts(const Outcome& outcome) {
 // ---- files ---------------------------------------------------------------------------------------------------------
 
 std::string table_csv(const Table& table) {
-  std::string csv = "case,stage,criterion,unit,limit,number,pass,broken,largest,starts_passed,starts\n";
+  const bool best = std::ranges::any_of(table.stages, [](const Stage& stage) { return !stage.tries.empty(); });
+  std::string csv = fmt::format("case,stage,criterion,unit,limit,number,pass,broken,largest,starts_passed,starts{}\n",
+                                best ? ",by" : "");
   const auto text_of = [](Real number) { return std::isnan(number) ? "nan" : fmt::format("{}", number); };
   for (std::size_t row = 0; row < table.cases.size(); ++row) {
     const HardCase& hard_case = table.cases[row];
@@ -109,11 +112,11 @@ std::string table_csv(const Table& table) {
       const Outcome& outcome = table.at(row, column);
       for (std::size_t i = 0; i < outcome.numbers.size(); ++i) {
         const Criterion& criterion = hard_case.criteria[i];
-        csv +=
-            fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(hard_case.name),
-                        csv_field(table.stages[column].name), csv_field(criterion.what), csv_field(criterion.unit),
-                        criterion.limit, text_of(outcome.numbers[i]), outcome.largest[i] <= criterion.limit ? 1 : 0,
-                        csv_field(outcome.broken), text_of(outcome.largest[i]), outcome.starts_passed, outcome.starts);
+        csv += fmt::format("{},{},{},{},{},{},{},{},{},{},{}{}\n", csv_field(hard_case.name),
+                           csv_field(table.stages[column].name), csv_field(criterion.what), csv_field(criterion.unit),
+                           criterion.limit, text_of(outcome.numbers[i]), outcome.largest[i] <= criterion.limit ? 1 : 0,
+                           csv_field(outcome.broken), text_of(outcome.largest[i]), outcome.starts_passed,
+                           outcome.starts, best ? fmt::format(",{}", csv_field(outcome.by)) : "");
       }
     }
   }
@@ -142,11 +145,12 @@ std::string missing_in(const std::string& broken) {
 std::string cell_of(const Table& table, std::size_t row, std::size_t column) {
   const Outcome& outcome = table.at(row, column);
   if (!outcome.possible()) return "—<br>" + missing_in(outcome.broken);
-  if (table.passed(row, column)) return rescuer(table, row) == column ? "★ ✓" : "✓";
+  const std::string by = outcome.by.empty() ? "" : fmt::format("<br>{}", outcome.by);
+  if (table.passed(row, column)) return (rescuer(table, row) == column ? "★ ✓" : "✓") + by;
   std::string below = outcome.starts_passed > 0 ? passed_of_starts(outcome) : "";
   const std::string word = in_a_word(outcome.broken);
   if (!word.empty()) below += (below.empty() ? "" : ", ") + word;
-  return fmt::format("✗ {}{}{}", worst_number(table, row, column), below.empty() ? "" : "<br>", below);
+  return fmt::format("✗ {}{}{}{}", worst_number(table, row, column), below.empty() ? "" : "<br>", below, by);
 }
 
 std::string rows_of(const Table& table, std::size_t first, std::size_t end, const std::filesystem::path& folder) {
@@ -183,8 +187,9 @@ Table read_table_csv(const std::string& text, const std::vector<Stage>& stages) 
   std::vector<HardCase> cases;
   std::vector<Stage> columns;
   for (std::size_t i = 1; i < lines.size(); ++i) {
-    if (lines[i].size() != 11)
-      throw InvalidInput(fmt::format("table.csv: line {} has {} fields, 11 are needed", i + 1, lines[i].size()));
+    if (lines[i].size() != lines[0].size() || lines[i].size() < 11)
+      throw InvalidInput(fmt::format("table.csv: line {} has {} fields, {} are needed", i + 1, lines[i].size(),
+                                     std::max<std::size_t>(11, lines[0].size())));
     if (cases.empty() || cases.back().name != lines[i][0]) cases.push_back(hard_case_named(lines[i][0]));
     if (cases.size() == 1 && (columns.empty() || columns.back().name != lines[i][1]))
       columns.push_back(named("stage", stages, lines[i][1]));
@@ -208,6 +213,7 @@ Table read_table_csv(const std::string& text, const std::vector<Stage>& stages) 
       outcome.largest.push_back(csv_number<Real>(f[8]));
       outcome.starts_passed = csv_number<int>(f[9]);
       outcome.starts = csv_number<int>(f[10]);
+      if (f.size() > 11) outcome.by = f[11];
     }
   }
   if (i != lines.size())

@@ -55,6 +55,13 @@ Table empty_table(std::vector<HardCase> cases, std::vector<Stage> stages);
 /// A table of these cases and stages. Each cell is taken from the first table that contains it. Throws InvalidInput if none does.
 Table assembled(std::vector<HardCase> cases, std::vector<Stage> stages, const std::vector<const Table*>& from);
 
+/// What follows an engine's name in the name of such a stage.
+inline constexpr const char* best_of_ten = " best of ten";
+/// Of stage.tries, as `outcome_of` plays or finds them: the first that passes, or else the one with the most starts that pass, of these
+/// one that breaks nothing, of these the nearest to its limits.
+Outcome best_of(const HardCase& hard_case, const Stage& stage,
+                const std::function<Outcome(const Stage& one)>& outcome_of);
+
 // ---- a case played by a process of its own: another engine is a program, and a reader's solver may crash, throw or never end ----
 
 /// What `broken` begins with where the time was over.
@@ -83,7 +90,8 @@ std::string worst_number(const Table& table, std::size_t row, std::size_t column
 /// "27/30" where there are several starts; else empty.
 std::string passed_of_starts(const Outcome& outcome);
 
-/// case, stage, criterion, unit, limit, number, pass, broken, largest, starts_passed, starts: a line a criterion. `number`
+/// case, stage, criterion, unit, limit, number, pass, broken, largest, starts_passed, starts: a line a criterion; where a stage is the best of several,
+/// also which one. `number`
 /// is of the scene as it is, `largest` of all starts. `pass` is 1 where the largest is within the limit; a cell of the table
 /// passes where all of its lines do and `broken` is empty. A number that came to nothing is nan.
 std::string table_csv(const Table& table);

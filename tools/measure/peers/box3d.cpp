@@ -18,6 +18,8 @@ struct Box3dChoice {
   bool stiff = false;
   /// Manifolds are made in each step, not kept until two bodies have moved by 5 cm or 10 degrees against each other.
   bool anew = false;
+  /// Bodies that move are cast along their way against others that move, not only against those that stand.
+  bool bullets = false;
 };
 
 constexpr float half_slab = 50;  // m
@@ -109,6 +111,7 @@ class Box3d : public Engine {
     }
     description.enableSleep = false;
     description.allowFastRotation = choice_.stiff;
+    description.isBullet = choice_.bullets && body.movable();
     const b3BodyId made = b3CreateBody(world_, &description);
     add_shape(made, body);
     if (body.movable()) {
@@ -241,12 +244,15 @@ std::vector<Method> peer_methods() {
 }
 
 std::unique_ptr<Engine> begin_engine(const World& world, const PeerSetting& setting) {
-  return std::make_unique<Box3d>(world, Box3dChoice{.stiff = setting.tuned}, setting.own_substeps);
+  return std::make_unique<Box3d>(
+      world, Box3dChoice{.stiff = setting.tuned, .anew = setting.has("anew"), .bullets = setting.has("bullets")},
+      setting.own_substeps);
 }
 
 std::string peer_version() {
   const b3Version version = b3GetVersion();
-  return fmt::format("Box3D {}.{}.{}, float; called by {}", version.major, version.minor, version.revision, built_by());
+  return fmt::format("Box3D {}.{}.{}, float, {}; called by {}", version.major, version.minor, version.revision,
+                     PUSHBACK_ENGINE_IS, built_by());
 }
 
 }  // namespace pushback

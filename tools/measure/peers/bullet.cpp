@@ -38,6 +38,8 @@ struct Choice {
   /// Of a hard case: pairs of their own friction and restitution; where it is tuned, all of the warm start and an ERP of 0.8. Only what
   /// bounces touches from where it touches, and hulls lie on a plane.
   bool hard_case = false;
+  /// What moves by more than half of itself in a step is stopped where a ball in it would touch another body.
+  bool continuous = false;
 };
 
 btVector3 bullet(const Vec3& v) {
@@ -251,6 +253,13 @@ class Bullet : public Engine {
     }
     made.setActivationState(DISABLE_DEACTIVATION);
     if (choice_.split && (!choice_.hard_case || body.restitution > 0)) made.setContactProcessingThreshold(0);
+    if (choice_.continuous && body.movable()) {
+      btVector3 low, high;
+      shapes_.back()->getAabb(btTransform::getIdentity(), low, high);
+      const btVector3 half = (high - low) / 2;
+      made.setCcdMotionThreshold(half[half.minAxis()]);
+      made.setCcdSweptSphereRadius(btScalar(0.2) * half[half.minAxis()]);
+    }
     dynamics_->addRigidBody(&made);
   }
 
@@ -360,13 +369,23 @@ std::vector<Method> peer_methods() {
 }
 
 std::unique_ptr<Engine> begin_engine(const World& world, const PeerSetting& setting) {
-  return std::make_unique<Bullet>(
-      world, Choice{.sweeps = setting.sweeps, .tuned = setting.tuned, .split = setting.tuned, .hard_case = true});
+  const bool direct = setting.has("dantzig");
+  return std::make_unique<Bullet>(world,
+                                  Choice{.solver = direct                ? make<Dantzig>
+                                                   : setting.has("nncg") ? make<btNNCGConstraintSolver>
+                                                                         : make<btSequentialImpulseConstraintSolver>,
+                                         .sweeps = setting.sweeps,
+                                         .direct = direct,
+                                         .softness = direct ? btScalar(1e-6) : 0,
+                                         .tuned = setting.tuned,
+                                         .split = setting.tuned && !setting.has("joint"),
+                                         .hard_case = true,
+                                         .continuous = setting.has("continuous")});
 }
 
 std::string peer_version() {
-  return fmt::format("Bullet {}.{}, {}; called by {}", btGetVersion() / 100, btGetVersion() % 100,
-                     sizeof(btScalar) == sizeof(double) ? "double" : "float", built_by());
+  return fmt::format("Bullet {}.{}, {}, {}; called by {}", btGetVersion() / 100, btGetVersion() % 100,
+                     sizeof(btScalar) == sizeof(double) ? "double" : "float", PUSHBACK_ENGINE_IS, built_by());
 }
 
 }  // namespace pushback

@@ -2,6 +2,7 @@
 // Theirs begins with this one.
 #include <Jolt/Jolt.h>
 //
+#include <Jolt/ConfigurationString.h>
 #include <Jolt/Core/Factory.h>
 #include <Jolt/Core/JobSystemSingleThreaded.h>
 #include <Jolt/Core/TempAllocator.h>
@@ -42,6 +43,10 @@ struct JoltChoice {
   /// rounds by 50 mm.
   bool tuned = false;
   int sweeps = 10;
+  /// What would pass through another body in a step is stopped at it, as for its documentation's small and fast bodies.
+  bool cast = false;
+  /// Contacts act from 1 mm before bodies touch, not from 20 mm.
+  bool close = false;
 };
 
 constexpr JPH::ObjectLayer resting = 0, moving = 1;
@@ -114,6 +119,7 @@ class Jolt : public Engine {
       settings.mPenetrationSlop = 0;
       settings.mMinVelocityForRestitution = 0;
     }
+    if (choice.close) settings.mSpeculativeContactDistance = 0.001F;
     system_.SetPhysicsSettings(settings);
     unjoined_ = new JPH::GroupFilterTable(count);
     for (const Body& body : world.bodies) {
@@ -201,6 +207,7 @@ class Jolt : public Engine {
     settings.mMaxLinearVelocity = settings.mMaxAngularVelocity = most_speed;
     settings.mAllowSleeping = false;
     settings.mApplyGyroscopicForce = choice_.tuned;
+    if (choice_.cast) settings.mMotionQuality = JPH::EMotionQuality::LinearCast;
     settings.mUserData = static_cast<JPH::uint64>(body.index);
     settings.mCollisionGroup =
         JPH::CollisionGroup(unjoined_, 0, static_cast<JPH::CollisionGroup::SubGroupID>(body.index));
@@ -293,31 +300,38 @@ class Jolt : public Engine {
   std::vector<JPH::Body*> bodies_;
 };
 
-Method method(const std::string& name, const std::string& title, bool tuned) {
+Method method(const std::string& name, const std::string& title, const JoltChoice& choice) {
   return {.name = name,
           .title = title,
           .begin =
-              [tuned](const World& world, const Setting& setting) {
+              [choice](const World& world, const Setting& setting) {
                 start_jolt();
-                return std::make_unique<Jolt>(world, JoltChoice{.tuned = tuned, .sweeps = setting.sweeps});
+                JoltChoice with = choice;
+                with.sweeps = setting.sweeps;
+                return std::make_unique<Jolt>(world, with);
               },
-          .sweeps = tuned};
+          .sweeps = choice.tuned};
 }
 
 }  // namespace
 
 std::vector<Method> peer_methods() {
-  return {method("jolt", "Jolt, as it comes", false), method("jolt-tuned", "Jolt, tuned", true)};
+  return {method("jolt", "Jolt, as it comes", {}), method("jolt-tuned", "Jolt, tuned", {.tuned = true}),
+          method("jolt-close", "Jolt, tuned, contacts from 1 mm on, and a cast along the way",
+                 {.tuned = true, .cast = true, .close = true})};
 }
 
 std::unique_ptr<Engine> begin_engine(const World& world, const PeerSetting& setting) {
   start_jolt();
-  return std::make_unique<Jolt>(world, JoltChoice{.tuned = setting.tuned, .sweeps = setting.sweeps});
+  return std::make_unique<Jolt>(world, JoltChoice{.tuned = setting.tuned,
+                                                  .sweeps = setting.sweeps,
+                                                  .cast = setting.has("cast"),
+                                                  .close = setting.has("close")});
 }
 
 std::string peer_version() {
-  return fmt::format("Jolt {}.{}.{}, float; called by {}", JPH_VERSION_MAJOR, JPH_VERSION_MINOR, JPH_VERSION_PATCH,
-                     built_by());
+  return fmt::format("Jolt {}.{}.{}, float, {}, {}; called by {}", JPH_VERSION_MAJOR, JPH_VERSION_MINOR,
+                     JPH_VERSION_PATCH, JPH::GetConfigurationString(), PUSHBACK_ENGINE_IS, built_by());
 }
 
 }  // namespace pushback

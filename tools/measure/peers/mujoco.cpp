@@ -1,4 +1,4 @@
-/// MuJoCo, in double.
+/// MuJoCo, in double: Debian's 2.2.2, or the one that its own CMake has installed.
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>
 
@@ -15,6 +15,9 @@
 namespace pushback {
 
 namespace {
+
+/// 3.11 has surfaces that convey, motors within a step, and room for as many rows as there are.
+constexpr bool is_current = mjVERSION_HEADER >= 3'011'000;
 
 struct ReleaseMujoco {
   void operator()(mjModel* model) const { mj_deleteModel(model); }
@@ -53,13 +56,26 @@ MujocoModel model_of(const std::string& mjcf) {
   mju_user_warning = [](const char*) {};  // its own writes a file; lost_by asks
   const auto files = std::make_unique<mjVFS>();
   mj_defaultVFS(files.get());
+#if mjVERSION_HEADER >= 314
+  mj_addBufferVFS(files.get(), "world.xml", mjcf.data(), static_cast<int>(mjcf.size()));
+#else
   mj_makeEmptyFileVFS(files.get(), "world.xml", static_cast<int>(mjcf.size()));
   std::memcpy(files->filedata[0], mjcf.data(), mjcf.size());
+#endif
   std::array<char, 1000> problem{};
   MujocoModel model(mj_loadXML("world.xml", files.get(), problem.data(), static_cast<int>(problem.size())));
   mj_deleteVFS(files.get());
   if (model == nullptr) throw std::runtime_error(fmt::format("MuJoCo: {}", problem.data()));
   return model;
+}
+
+/// In the latest step. Rows of all islands are swept together.
+int sweeps_of(const mjData& data) {
+#if mjVERSION_HEADER >= 314
+  return data.solver_niter[0];
+#else
+  return data.solver_iter;
+#endif
 }
 
 /// What went wrong so far; null: nothing. MuJoCo begins anew by itself where a state is no number.
@@ -74,16 +90,20 @@ const char* lost_by(const mjData& data) {
 class Mjcf {
  public:
   Mjcf(const World& world, const MujocoChoice& choice) : world_(world), of_motion_(choice.of_motion) {
-    for (const HeldPair& pair : held_pairs(world, {JointShape::ball_and_socket, JointShape::hinge}))
-      (choice.trees && hang(pair.joint->a, pair.joint->b) ? parents_ : loops_).push_back(pair);
-    long moving = 0;
-    for (const Body& body : world.bodies) moving += body.movable() ? 1 : 0;
-    const long contacts = most_contacts(moving);
+    std::vector<HeldPair> pairs =
+        is_current ? held_pairs(world, {JointShape::ball_and_socket, JointShape::hinge, JointShape::angle_limits,
+                                        JointShape::motor})
+                   : held_pairs(world, {JointShape::ball_and_socket, JointShape::hinge, JointShape::angle_limits});
+    for (HeldPair& pair : pairs) {
+      const bool hangs = choice.trees && hang(pair.joint->a, pair.joint->b);
+      if (!hangs && (pair.turn || pair.motor)) throw not_had("limits and motors of a joint that closes a loop");
+      (hangs ? parents_ : loops_).push_back(std::move(pair));
+    }
+    const bool motors = std::ranges::any_of(parents_, [](const HeldPair& pair) { return pair.motor.has_value(); });
     text_ = fmt::format(
-        "<mujoco><compiler angle='radian'/><size njmax='{}' nconmax='{}'/>"
-        "<option gravity='{}' {}><flag multiccd='enable'/></option><default><geom margin='{}'/></default>",
-        4 * contacts + 6 * static_cast<long>(loops_.size()), contacts, text(world.gravity), choice.options,
-        choice.margin);
+        "<mujoco><compiler angle='radian'/><size {}/>"
+        "<option gravity='{}' {} {}><flag multiccd='enable'/></option><default><geom margin='{}'/></default>",
+        room(), text(world.gravity), choice.options, motors ? "integrator='implicitfast'" : "", choice.margin);
     for (const Body& body : world.bodies) asset(body);
     text_ += "<worldbody>";
     for (const Body& body : world.bodies)
@@ -91,18 +111,23 @@ class Mjcf {
         add(body, Vec3::Zero(), Quat::Identity());
     text_ += "</worldbody>";
     close_loops();
+    drive_motors();
     contacts_of_pairs();
     text_ += "</mujoco>";
   }
   const std::string& operator()() const { return text_; }
 
  private:
-  /// As many as there may be, or as fit into the 2 GB that MuJoCo has room for: 12 bytes for each two rows, 24 for each row and
-  /// velocity.
-  static long most_contacts(long moving) {
+  /// 2.2.2 has as many contacts as there may be, or as fit into the 2 GB that it has room for: 12 bytes for each two rows, 24 for each
+  /// row and velocity.
+  std::string room() const {
+    if (is_current) return "memory='2G'";
+    const auto moving = std::ranges::count_if(world_.bodies, &Body::movable);
     constexpr double room = 1.4e9, rows = 4;
     const double b = 24 * rows * 6 * static_cast<double>(moving), a = 12 * rows * rows;
-    return std::min(200 + 16 * moving, static_cast<long>((std::sqrt(b * b + 4 * a * room) - b) / (2 * a)));
+    const long contacts =
+        std::min(200 + 16 * moving, static_cast<long>((std::sqrt(b * b + 4 * a * room) - b) / (2 * a)));
+    return fmt::format("njmax='{}' nconmax='{}'", 4 * contacts + 6 * static_cast<long>(loops_.size()), contacts);
   }
 
   /// Whether b, which moves and hangs on nothing yet, is from now on a child of a.
@@ -138,8 +163,16 @@ class Mjcf {
     return fmt::format("type='plane' size='0 0 1' quat='{}'",
                        text(Quat(Quat::FromTwoVectors(Vec3::UnitZ(), std::get<HalfSpace>(body.shape).normal))));
   }
-  static std::string rubbing(Real mu) {
-    return mu > 0 ? fmt::format("condim='3' friction='{:.17g} 0 0'", mu) : "condim='1'";
+  static std::string surface_of(const Body& body) {
+    if (!(body.friction > 0)) return "condim='1'";
+    std::string belt;
+    if (body.conveys) {  // in the axes of the geom
+      const auto* below = std::get_if<HalfSpace>(&body.shape);
+      const Quat turn =
+          below ? Quat(body.orientation * Quat::FromTwoVectors(Vec3::UnitZ(), below->normal)) : body.orientation;
+      belt = fmt::format("surfacevel='{} 0 0 0'", text(Vec3(turn.conjugate() * body.velocity)));
+    }
+    return fmt::format("condim='3' friction='{:.17g} 0 0' {}", body.friction, belt);
   }
 
   bool is_of_world(const Body& body) const {
@@ -147,11 +180,28 @@ class Mjcf {
     return of_motion_ && stays(body) && std::count_if(world_.bodies.begin(), world_.bodies.end(), stays) > 1;
   }
 
+  /// `body` is the child. The angle of a hinge is that of b against a from where they stand.
+  static std::string joint_of(const HeldPair& held, const Body& body) {
+    const auto local = [&](const Vec3& v) { return text(Vec3(body.orientation.conjugate() * v)); };
+    const std::string at = local(held.shape.anchor_b - body.position);
+    if (held.shape.kind != JointShape::hinge) {
+      if (held.turn) throw not_had("a twist limit: a range of its balls is of the whole turn");
+      return fmt::format("<joint type='ball' pos='{}'/>", at);
+    }
+    std::string range;
+    if (held.turn) {
+      const JointShape turn = turned_to(*held.turn, held.shape.axis);
+      range = fmt::format("limited='true' range='{:.17g} {:.17g}'", turn.low, turn.high);
+    }
+    return fmt::format("<joint name='j{}' type='hinge' pos='{}' axis='{}' {}/>", body.index, at, local(held.shape.axis),
+                       range);
+  }
+
   /// The body in the frame of the one that it hangs on, and in it those that hang on it.
   void add(const Body& body, const Vec3& from, const Quat& turn) {
     if (is_of_world(body)) {
       text_ += fmt::format("<geom name='g{}' pos='{}' {} {}/>", body.index, text(body.position), geom_of(body),
-                           rubbing(body.friction));
+                           surface_of(body));
       return;
     }
     text_ += fmt::format("<body name='b{}' pos='{}' quat='{}' {}>", body.index,
@@ -159,17 +209,11 @@ class Mjcf {
                          text(Quat(turn.conjugate() * body.orientation)), is_driven(body) ? "mocap='true'" : "");
     if (body.movable()) {
       const HeldPair* held = held_by(body.index);
-      const auto local = [&](const Vec3& v) { return text(Vec3(body.orientation.conjugate() * v)); };
-      if (held == nullptr) text_ += "<freejoint/>";
-      else
-        text_ +=
-            fmt::format("<joint type='{}' pos='{}' {}/>", held->shape.kind == JointShape::hinge ? "hinge" : "ball",
-                        local(held->shape.anchor_b - body.position),
-                        held->shape.kind == JointShape::hinge ? fmt::format("axis='{}'", local(held->shape.axis)) : "");
+      text_ += held == nullptr ? "<freejoint/>" : joint_of(*held, body);
       text_ += fmt::format("<inertial pos='0 0 0' mass='{:.17g}' diaginertia='{}'/>", 1 / body.inverse_mass,
                            text(Vec3(body.principal_inverse_inertia.cwiseInverse())));
     }
-    text_ += fmt::format("<geom name='g{}' {} {}/>", body.index, geom_of(body), rubbing(body.friction));
+    text_ += fmt::format("<geom name='g{}' {} {}/>", body.index, geom_of(body), surface_of(body));
     for (const HeldPair& held : parents_)
       if (held.joint->a == body.index) add(world_.body(held.joint->b), body.position, body.orientation);
     text_ += "</body>";
@@ -194,6 +238,17 @@ class Mjcf {
       }
     }
     text_ += "</equality>";
+  }
+
+  /// Brakes that run along: torque = kv (speed - w), within what the motor has. With kv so large the angle is that of the speed, as it
+  /// is integrated implicitly.
+  void drive_motors() {
+    std::string motors;
+    for (const HeldPair& held : parents_)
+      if (held.motor)
+        motors += fmt::format("<velocity joint='j{}' kv='1e6' forcelimited='true' forcerange='-{:.17g} {:.17g}'/>",
+                              held.joint->b, held.motor->torque, held.motor->torque);
+    if (!motors.empty()) text_ += "<actuator>" + motors + "</actuator>";
   }
 
   /// A pair has the larger of its two frictions, unless it is one of its own in the place of what is found for its bodies. Those that
@@ -251,6 +306,9 @@ class Mujoco : public Engine {
         throw not_had("a joined body that begins with a velocity");
       }
     }
+    int motor = 0;  // in the order of the joints, which is that of the model
+    for (const HeldPair& held : held_pairs(world))
+      if (held.motor) data_->ctrl[motor++] = turned_to(*held.motor, held.shape.axis).speed;
     read_back();
   }
 
@@ -302,7 +360,7 @@ class Mujoco : public Engine {
     if (model_->opt.timestep != h) take_steps_of(h);
     mj_step(model_.get(), data_.get());
     moved_ = true;
-    row_solves_ += static_cast<double>(data_->nefc) * data_->solver_iter;
+    row_solves_ += static_cast<double>(data_->nefc) * sweeps_of(*data_);
     if (const char* lost = lost_by(*data_)) throw InvalidInput(fmt::format("not finite, or too large: {}", lost));
   }
 
@@ -325,8 +383,8 @@ class Mujoco : public Engine {
   void take_steps_of(double h) {
     model_->opt.timestep = h;
     if (!choice_.hard) return;
-    const auto harden = [](mjtNum* solref, mjtNum* solimp, int count, const std::array<double, 2>& reference) {
-      for (int i = 0; i < count; ++i) {
+    const auto harden = [](mjtNum* solref, mjtNum* solimp, auto count, const std::array<double, 2>& reference) {
+      for (auto i = count - count; i < count; ++i) {
         solref[mjNREF * i] = reference[0];
         solref[mjNREF * i + 1] = reference[1];
         solimp[mjNIMP * i] = solimp[mjNIMP * i + 1] = 0.9999;
@@ -336,6 +394,7 @@ class Mujoco : public Engine {
     harden(model_->geom_solref, model_->geom_solimp, model_->ngeom, contact);
     harden(model_->pair_solref, model_->pair_solimp, model_->npair, contact);
     harden(model_->eq_solref, model_->eq_solimp, model_->neq, rigid);
+    harden(model_->jnt_solref, model_->jnt_solimp, model_->njnt, rigid);
   }
 
   MujocoChoice choice_;
@@ -355,6 +414,8 @@ struct Choice {
   bool bounces = false;  ///< contacts are springs and dampers that give the motion's restitution
   bool noslip = false;   ///< friction as stiff as its makers advise, and ten sweeps that take out the slip that is left
   bool connect = false;  ///< pins are constraints, not the joints of a tree
+  std::string cone = "elliptic";
+  std::string tolerance = "1e-12";  ///< of the improvement in an iteration; it comes with 1e-8
 };
 
 /// The share of critical damping, sin(phi), of a contact that is left with the fraction e of the speed it met with. A spring and
@@ -370,17 +431,17 @@ double damping_of(double e) {
 
 /// Bodies that rub and bounce alike: those of a motion do.
 MujocoChoice choice_of(const Choice& choice, const Setting& setting, const World& world) {
-  MujocoChoice made{
-      .options = fmt::format(
-          "solver='{}' integrator='{}' cone='elliptic' {} {}", choice.solver, choice.integrator,
-          choice.solver == "PGS" ? fmt::format("iterations='{}' tolerance='0'", setting.sweeps) : "tolerance='1e-12'",
-          choice.noslip ? "impratio='10' noslip_iterations='10'" : ""),
-      .hard = choice.hard,
-      .sweeps = choice.solver == "PGS",
-      // Without it bodies that just touch fall freely in the first step.
-      .margin = choice.hard ? 1e-6 : 0,
-      .trees = !choice.connect,
-      .of_motion = true};
+  MujocoChoice made{.options = fmt::format(
+                        "solver='{}' integrator='{}' cone='{}' {} {}", choice.solver, choice.integrator, choice.cone,
+                        choice.solver == "PGS" ? fmt::format("iterations='{}' tolerance='0'", setting.sweeps)
+                                               : fmt::format("tolerance='{}'", choice.tolerance),
+                        choice.noslip ? "impratio='10' noslip_iterations='10'" : ""),
+                    .hard = choice.hard,
+                    .sweeps = choice.solver == "PGS",
+                    // Without it bodies that just touch fall freely in the first step.
+                    .margin = choice.hard ? 1e-6 : 0,
+                    .trees = !choice.connect,
+                    .of_motion = true};
   if (choice.bounces) {
     // Of a spring that bounces, 1/s. A bounce is of pi / rate, and its restitution off by some rate * dt: both fall with dt.
     const double rate = std::min(30.0 * setting.substeps, 120 * std::sqrt(setting.substeps));
@@ -399,9 +460,9 @@ Method method(const std::string& name, const std::string& title, const Choice& c
               [what, bounces = choice.bounces](const Motion& motion) {
                 World world;
                 motion.fill(world);  // MuJoCo has no restitution, but springs
-                return (world.bodies.back().restitution > 0) == bounces && !has_conveyor(motion) &&
-                       few_bodies(motion) && (what != For::pins || !motion.pins.empty()) &&
-                       (what != For::friction || has_contacts(motion));
+                return (world.bodies.back().restitution > 0) == bounces &&
+                       (is_current || (!has_conveyor(motion) && few_bodies(motion))) &&
+                       (what != For::pins || !motion.pins.empty()) && (what != For::friction || has_contacts(motion));
               },
           .begin =
               [choice](const World& world, const Setting& setting) {
@@ -418,18 +479,20 @@ std::vector<Method> peer_methods() {
           method("mujoco-pgs", "MuJoCo, hard, sweeps", {.solver = "PGS"}),
           method("mujoco-noslip", "MuJoCo, hard, without slip", {.noslip = true}, For::friction),
           method("mujoco-bounce", "MuJoCo, springs that bounce", {.bounces = true}),
-          method("mujoco-rk4", "MuJoCo, Runge and Kutta", {.integrator = "RK4"}, For::pins),
+          method("mujoco-rk4", "MuJoCo, Runge and Kutta", {.integrator = "RK4"}),
+          method("mujoco-tolerance", "MuJoCo, hard, to its own tolerance", {.tolerance = "1e-8"}),
+          method("mujoco-pyramid", "MuJoCo, hard, friction as a pyramid, to its own tolerance",
+                 {.cone = "pyramidal", .tolerance = "1e-8"}),
+          method("mujoco-cg", "MuJoCo, hard, conjugate gradients", {.solver = "CG", .tolerance = "1e-8"}),
           method("mujoco-connect", "MuJoCo, pins as constraints", {.connect = true}, For::pins)};
 }
 
 std::unique_ptr<Engine> begin_engine(const World& world, const PeerSetting& setting) {
-  return std::make_unique<Mujoco>(
-      world, MujocoChoice{.options = setting.tuned ? "cone='elliptic' tolerance='1e-12' iterations='200'" : "",
-                          .hard = setting.tuned});
+  return std::make_unique<Mujoco>(world, MujocoChoice{.options = setting.options, .hard = setting.tuned});
 }
 
 std::string peer_version() {
-  return fmt::format("MuJoCo {}, double; called by {}", mj_versionString(), built_by());
+  return fmt::format("MuJoCo {}, double, {}; called by {}", mj_versionString(), PUSHBACK_ENGINE_IS, built_by());
 }
 
 }  // namespace pushback

@@ -329,14 +329,16 @@ std::vector<Method> peer_methods() {
 std::unique_ptr<Engine> begin_engine(const World& world, const PeerSetting& setting) {
   // Of more than 16, as in a stack of ten, bodies fly off.
   return std::make_unique<Ode>(world, Choice{.sweeps = setting.sweeps,
-                                             .most_direct = setting.tuned ? 16 : 0,
+                                             .most_direct = setting.has("direct") ? any_number
+                                                            : setting.has("few")  ? 16
+                                                                                  : 0,
                                              .aligned = setting.tuned,
                                              .gentle = setting.tuned,
                                              .says_why = false});
 }
 
 std::string peer_version() {
-  return fmt::format("ODE {}, {}; called by {}", dODE_VERSION, dGetConfiguration(), built_by());
+  return fmt::format("ODE {}, {}, {}; called by {}", dODE_VERSION, dGetConfiguration(), PUSHBACK_ENGINE_IS, built_by());
 }
 
 }  // namespace pushback
