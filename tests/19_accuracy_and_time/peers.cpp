@@ -28,6 +28,10 @@ const std::string peer = PEER;
 bool is_mujoco() {
   return peer == "mujoco";
 }
+/// What 2.2.2 lacks: surfaces that convey, and motors.
+bool is_old_mujoco() {
+  return peer_version().starts_with("MuJoCo 2");
+}
 bool is_bullet() {
   return peer.starts_with("bullet");
 }
@@ -142,8 +146,12 @@ TEST_CASE("A box is carried by a belt where an engine has belts, and the others 
   const Motion& belt = any_motion_named("conveyor");
   for (const Method& method : peer_methods()) {
     INFO(method.name);
-    CHECK(method.plays(belt) != is_mujoco());
+    CHECK(method.plays(belt) != (is_old_mujoco() || method.name == "mujoco-bounce"));
     if (!method.plays(belt)) continue;
+    if (is_mujoco()) {  // which lifts it off, by Euler's method
+      if (method.name == "mujoco-rk4") CHECK(error_of(method, belt, 16) < 0.01);
+      continue;
+    }
     // ODE's pyramid on fixed axes has a limit of its own. In double Bullet turns its pyramid by what slips where nothing does: rounding.
     const double each = method.name.starts_with("bullet-double") ? 0.09 : 0.03;
     for (const int substeps : {4, 16})
@@ -272,6 +280,18 @@ TEST_CASE("Hard cases: each shape comes to rest on the ground at its own height,
   });
 }
 
+TEST_CASE("Hard cases: with continuous detection what is fast does not pass through what is thin") {
+  under_each([](const PeerSetting& setting) {
+    if (!setting.has("continuous") && !setting.has("bullets") && !setting.has("cast")) return;
+    Under under(setting);
+    under.world.gravity.setZero();
+    under.world.add(box({Real(0.005), 1, 1}, 50));
+    under.world.add(sphere(Real(0.05), Real(0.01)).at({Real(-3.3), 0, 0}).moving({200, 0, 0}));
+    under.run(Real(0.5));
+    CHECK(under.world.bodies[1].position.x() < under.world.bodies[0].position.x());
+  });
+}
+
 TEST_CASE("Hard cases: what is changed between steps is handed over: a velocity, a place, a body more") {
   under_each([](const PeerSetting& setting) {
     Under under(setting);
@@ -353,7 +373,7 @@ TEST_CASE("Hard cases: a hinge's limits, a cone and a twist: held, or said not t
         world.joints.push_back(which == angle  ? angle_limits(world, 0, 1, axis, Real(-0.3), Real(0.9))
                                : which == cone ? cone_limit(world, 0, 1, down, down, Real(0.6))
                                                : twist_limits(world, 0, 1, down, Real(-0.4), Real(0.4)));
-        if (is_mujoco() || (!has_cones() && which != angle)) {
+        if (!has_cones() && which != angle) {
           CHECK(contains(under.lacks(), "not possible: "));
           continue;
         }
@@ -387,7 +407,7 @@ TEST_CASE("Hard cases: a motor: as fast as it is to turn, with no more than its 
         const int wheel = world.add(sphere(Real(0.1), 10)), on = holder == "the world" ? the_world : post;
         world.joints.push_back(hinge(world, on, wheel, Vec3::Zero(), axis_of_hinge * Vec3::UnitZ()));
         world.joints.push_back(motor_at_speed(world, on, wheel, Vec3::UnitZ(), side * speed, torque));
-        if (is_mujoco()) {
+        if (is_old_mujoco()) {
           CHECK(contains(under.lacks(), "not possible: a motor"));
           continue;
         }

@@ -330,8 +330,10 @@ std::unique_ptr<Engine> begin_engine(const World& world, const PeerSetting& sett
 }
 
 std::string peer_version() {
+  std::string is = JPH::GetConfigurationString();
+  is.erase(is.find_last_not_of(' ') + 1);
   return fmt::format("Jolt {}.{}.{}, float, {}, {}; called by {}", JPH_VERSION_MAJOR, JPH_VERSION_MINOR,
-                     JPH_VERSION_PATCH, JPH::GetConfigurationString(), PUSHBACK_ENGINE_IS, built_by());
+                     JPH_VERSION_PATCH, is, PUSHBACK_ENGINE_IS, built_by());
 }
 
 }  // namespace pushback

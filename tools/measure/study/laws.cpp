@@ -64,12 +64,16 @@ constexpr Law laws[] = {{"full", "friction pyramid; slop of 5 mm"},
                         {"box3d-manifolds-anew", "as `box3d-stiff`"},
                         {"jolt", "slop of 20 mm; bounces from 1 m/s on; no gyroscopic torque; float"},
                         {"jolt-tuned", "nothing; float"},
+                        {"jolt-close", "nothing; float"},
                         {"mujoco", "relaxed cone; springs as hard as the step allows"},
                         {"mujoco-default", "relaxed cone; springs of 0.02 s"},
                         {"mujoco-pgs", "as `mujoco`"},
                         {"mujoco-noslip", "as `mujoco`, with less slip"},
+                        {"mujoco-tolerance", "as `mujoco`"},
+                        {"mujoco-pyramid", "as `mujoco`; friction pyramid on fixed axes"},
+                        {"mujoco-cg", "as `mujoco`"},
                         {"mujoco-bounce", "springs that bounce, as hard as the step allows"},
-                        {"mujoco-rk4", "nothing"},
+                        {"mujoco-rk4", "as `mujoco`; nothing on pins"},
                         {"mujoco-connect", "springs as hard as the step allows"}};
 
 std::string law_of(const std::string& method) {

@@ -93,7 +93,7 @@ void say(const std::string& what) {
   std::fflush(stdout);
 }
 
-/// The measurements of study.csv. Those of the method that is to be renewed are measured again.
+/// The measurements of study.csv. Those of the method or engine that is to be renewed are measured again.
 AllMeasured stored(const Asked& asked, const std::filesystem::path& programs, const std::vector<Motion>& motions,
                    const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "study.csv";

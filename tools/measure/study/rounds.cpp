@@ -224,7 +224,10 @@ Measurements measure(const Motion& motion, const RoundOptions& options) {
 std::size_t measure_again(const std::string& word, const Motion& motion, const RoundOptions& options,
                           Measurements& all) {
   const auto is_of_engine = [&](const Measured& one) { return one.engine == word; };
-  if (word != "motion_float" && std::erase_if(all, is_of_engine) > 0) {  // float has no grid of its own
+  const std::vector<Engine> engines = known_engines();
+  const bool engine = std::ranges::any_of(engines, [&](const Engine& one) { return one.name == word; });
+  if (engine && word != "motion_float") {  // float has no grid of its own
+    std::erase_if(all, is_of_engine);
     RoundOptions only = options;
     only.engines = engines_named({word});
     const Measurements found = measure(motion, only);
