@@ -110,10 +110,11 @@ TEST_CASE("What falls keeps its velocity and gets that of gravity: half a step l
     if (!method.plays(falling)) continue;
     INFO(method.name);
     for (const int substeps : {1, 4, 16}) {
-      // v += h g, x += h v:   x errs by g h t / 2. One way of Box3D makes its substeps of what are sweeps to others.
+      // v += h g, x += h v:   x errs by g h t / 2, by Runge and Kutta's method not at all. One way of Box3D makes its substeps of what are sweeps to others.
       const int divided = substeps * (method.name == "box3d-often" ? some_sweeps : 1);
       if (divided > 64) continue;  // a sum of 6,144 places in float is off by a quarter of what is looked for
-      const double late = truth::g * falling.seconds / (2 * frames_per_second * divided);
+      const double late =
+          method.name == "mujoco-rk4" ? 0 : truth::g * falling.seconds / (2 * frames_per_second * divided);
       CHECK(error_of(method, falling, substeps) == Approx(late).margin(2e-5));  // margin: of float
     }
   }
@@ -123,7 +124,10 @@ TEST_CASE("A pinned ball swings as the truth does, the closer the smaller the st
   for (const Method& method : peer_methods()) {
     INFO(method.name);
     // Jolt moves the joint's bodies once more after each step, and is late by more; so it is as WebAssembly.
-    const double first_order = method.name.starts_with("jolt") ? 0.04 : 0.013;  // m
+    // So is a pin that is a constraint of MuJoCo's, since version 3.
+    const double first_order = method.name.starts_with("jolt")   ? 0.04
+                               : method.name == "mujoco-connect" ? 0.023
+                                                                 : 0.013;  // m
     for (const int substeps : {1, 4, 16})
       CHECK(error_of(method, motion_named("pendulum"), substeps) < first_order / substeps);
   }
@@ -146,7 +150,7 @@ TEST_CASE("A box is carried by a belt where an engine has belts, and the others 
   const Motion& belt = any_motion_named("conveyor");
   for (const Method& method : peer_methods()) {
     INFO(method.name);
-    CHECK(method.plays(belt) != (is_old_mujoco() || method.name == "mujoco-bounce"));
+    CHECK(method.plays(belt) != (is_old_mujoco() || method.name == "mujoco-bounce" || method.name == "mujoco-connect"));
     if (!method.plays(belt)) continue;
     if (is_mujoco()) {  // which lifts it off, by Euler's method
       if (method.name == "mujoco-rk4") CHECK(error_of(method, belt, 16) < 0.01);
@@ -168,6 +172,7 @@ TEST_CASE("What the test kit finds wrong is what an engine is known for, and not
                                                             {"bullet-double-dantzig", "restitution"},
                                                             {"ode", "friction"},
                                                             {"mujoco-bounce", "restitution"},
+                                                            {"mujoco-pyramid", "friction"},
                                                             {"jolt", "gyroscope"}};
   for (const Method& method : peer_methods())
     for (const Finding& finding : findings_of(method)) {

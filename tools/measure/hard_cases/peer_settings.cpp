@@ -105,7 +105,7 @@ std::vector<PeerSetting> box3d() {
   accurate.what =
       "8 steps of 8 substeps, contacts and joints as stiff as these allow; what bounces does so at any speed; bodies "
       "may "
-      "have 10 km/s; all are bullets";
+      "have 10 km/s; those that begin fast are bullets";
   return {{.name = "Box3D", .what = "as it comes: float, 4 substeps", .own_substeps = 4},
           accurate,
           stiff(1, 8),

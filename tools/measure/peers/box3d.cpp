@@ -18,7 +18,8 @@ struct Box3dChoice {
   bool stiff = false;
   /// Manifolds are made in each step, not kept until two bodies have moved by 5 cm or 10 degrees against each other.
   bool anew = false;
-  /// Bodies that move are cast along their way against others that move, not only against those that stand.
+  /// Bodies that begin faster than the smallest side of the box around them in 1/60 s are cast along their way against others that move,
+  /// not only against those that stand. Two such bodies are not cast against each other, so not all are.
   bool bullets = false;
 };
 
@@ -111,9 +112,13 @@ class Box3d : public Engine {
     }
     description.enableSleep = false;
     description.allowFastRotation = choice_.stiff;
-    description.isBullet = choice_.bullets && body.movable();
     const b3BodyId made = b3CreateBody(world_, &description);
     add_shape(made, body);
+    if (choice_.bullets && body.movable()) {
+      const b3AABB box = b3Body_ComputeAABB(made);
+      const Real smallest = (ours(box.upperBound) - ours(box.lowerBound)).minCoeff();
+      b3Body_SetBullet(made, body.velocity.norm() > 60 * smallest);
+    }
     if (body.movable()) {
       const Vec3 inertia = body.principal_inverse_inertia.cwiseInverse();
       b3MassData mass{.mass = real(1 / body.inverse_mass), .center = b3Vec3_zero, .inertia = b3Mat3_zero};
