@@ -8,8 +8,9 @@ namespace pushback {
 
 namespace {
 
-constexpr int waits_after_failing = 10;  // steps; twice as many after each further failure,
-constexpr int most_failures = 4;         // up to this many
+constexpr int waits_after_failing = 10;     // steps; twice as many after each further failure,
+constexpr int most_failures = 4;            // up to this many
+constexpr int most_detections_of_pile = 2;  // in a step: four would take half as long again
 constexpr int most_meetings = 8;      // in a step that is taken again for them; then the bodies that meet get substeps
 constexpr Real stiffest = Real(1e9);  // Hz: SoftContacts makes it the largest that substeps hold, 1 / (8 h)
 constexpr double of_resting_contact =
@@ -24,10 +25,14 @@ bool lets_in(const IslandWorld& island, const StepClassifier& classifier) {
                      [most](const Contact& at) { return !at.parted && at.depth > most; });
 }
 
-/// All bodies of a world whose contacts have been found.
+/// All bodies of a world whose contacts have been found for the first detection.
 struct WithFoundContacts : AllBodies {
   Contacts& found;
-  void find_contacts(World& world, const Margin&) const { world.contacts.swap(found); }
+  bool are_found = true;
+  void find_contacts(World& world, const Margin& margin) {
+    if (std::exchange(are_found, false)) world.contacts.swap(found);
+    else AllBodies::find_contacts(world, margin);
+  }
 };
 
 /// Half of the kick, the drift, and the other half.
@@ -195,16 +200,21 @@ void IslandSolver::fall_back(const World& world) {
 
 void IslandSolver::step_piles(const World& world, Real dt, int sweeps) {
   pile_solver.workers = substep_solver.workers;
-  const Plan plan = pile_solver.plan(dt);
   islands_.give_found(world, classifier_, contacts_.found);
   for (std::size_t i = 0; i < islands_.size(); ++i) {
     IslandWorld& island = islands_[i];
     if (!classifier_.is_moved_by_fast(island.lowest())) continue;
     island.copy_bodies(world);
+    Real fastest = 0;
+    for (const Body& body : island.world.bodies)
+      if (body.movable()) fastest = std::max(fastest, body.angular_velocity.norm());
+    const int times = std::min(most_detections_of_pile, detections(fastest, limits, dt));
+    Plan plan = pile_solver.plan(dt / static_cast<Real>(times));
+    plan.detections = times;
     WithFoundContacts bodies{{&plan.workers->of_bodies(island.world.bodies.size())}, island.found};
     pushback::step(island.world, pile_solver, plan, dt, sweeps, bodies);
     island.held = true;
-    island.substeps = plan.substeps;
+    island.substeps = plan.all_substeps();
     add_up(pile_solver.stats());
   }
 }

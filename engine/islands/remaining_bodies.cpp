@@ -47,15 +47,6 @@ struct Remaining {
   static void end(World&, Real /*dt*/) {}
 };
 
-int detections(const World& world, const Remaining& remaining, const ClassifierLimits& limits, Real dt) {
-  Real fastest = 0;
-  for (const Body& body : world.bodies)
-    if (remaining.contain(body)) fastest = std::max(fastest, body.angular_velocity.norm());
-  int times = 1;
-  while (2 * times <= limits.most_detections && fastest * dt > limits.turn * static_cast<Real>(times)) times *= 2;
-  return times;
-}
-
 /// If no body remains: the step of the immovable ones.
 void step_immovable(World& world, const StepSolver& solver, Real dt) {
   world.contacts_before.swap(world.contacts);
@@ -71,6 +62,12 @@ void step_immovable(World& world, const StepSolver& solver, Real dt) {
 }
 
 }  // namespace
+
+int detections(Real spin, const ClassifierLimits& limits, Real dt) {
+  int times = 1;
+  while (2 * times <= limits.most_detections && spin * dt > limits.turn * static_cast<Real>(times)) times *= 2;
+  return times;
+}
 
 class RemainingBodies::Absence {
  public:
@@ -121,7 +118,10 @@ SolveStats RemainingBodies::step(World& world, const StepClassifier& classifier,
     const auto [a, b] = world.bodies_of(contact);
     return !contained(a.movable() ? a : b) || contact.id.feature == no_feature;
   });
-  const int times = detections(world, remaining, pass.settings.limits, pass.dt);
+  Real fastest = 0;
+  for (const Body& body : world.bodies)
+    if (contained(body)) fastest = std::max(fastest, body.angular_velocity.norm());
+  const int times = detections(fastest, pass.settings.limits, pass.dt);
   Plan plan = pass.runner.plan(pass.dt / static_cast<Real>(times));
   plan.detections = times;
   {

@@ -6,6 +6,9 @@
 
 namespace pushback {
 
+/// The detections in a step of dt, s, of bodies that turn by up to `spin`, rad/s: one, or more if that is fast.
+int detections(Real spin, const ClassifierLimits& limits, Real dt);
+
 /// How the remaining bodies are moved in this step.
 struct SubstepPass {
   WideSolver<Real>& solver;
