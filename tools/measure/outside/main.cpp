@@ -56,7 +56,7 @@ std::vector<Played> played(const std::vector<const OutsideScene*>& scenes, const
   for (const OutsideScene* scene : scenes) {
     for (const Stage& stage : stages) keep(play(*scene, stage, at_most));
     for (const PeerSetting& setting : peer_settings())
-      if (const fs::path program = programs / ("outside_" + setting.engine); fs::exists(program))
+      if (const fs::path program = programs / ("outside_" + setting.engine); !setting.further && fs::exists(program))
         keep(played_apart(program, *scene, setting, at_most));
   }
   return all;
