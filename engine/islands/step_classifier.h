@@ -57,13 +57,12 @@ struct ClassifierLimits {
   int most_detections = 4;  ///< in a step, for substeps
   Real turn = Real(0.04);   ///< rad: in an island with many contacts, bodies that turn further in a step get substeps
   int most_meeting = 40;    ///< contacts of bodies that meet in one point each, such as balls, which part at once
-  /// Contacts of an island that moves like a crowd: after a second nothing predicts its bodies' positions, so only overlap, energy and rest
-  /// count. It gets the fewest substeps that keep these, unless it is more than `most_layers` bodies high. Half as many contacts are
-  /// enough if the island was one before.
+  /// Contacts of a large island. After a second nothing predicts where its bodies are, so only overlap, energy and rest count, and while it
+  /// moves Fast moves it, unless it is more than `most_layers` bodies high. Half as many contacts are enough if Fast moved it before.
   int large = 256;
   int most_layers = 20;  ///< Fast's springs carry 24 boxes on top of each other (chapter 12, tall columns)
-  Real most_ratio =
-      30;  ///< of two masses near each other: a box lies 0.07 mm deep on Fast's springs, and under a load deeper
+  /// Of two masses near each other. A box lies 0.07 mm deep on Fast's springs, and under n times its own load n times as deep.
+  Real most_ratio = 30;
   Real calm = Real(0.1);  ///< m/s, relative to the ground: if all bodies are slower, half steps may be tried
 };
 
