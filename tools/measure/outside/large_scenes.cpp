@@ -51,8 +51,8 @@ void ragdolls(World& world) {
   for (int i = 0; i < 100; ++i) {
     const Quat lying(Eigen::AngleAxis<Real>(pi / 2, Vec3::UnitZ()));
     const Quat turn(Eigen::AngleAxis<Real>(2 * pi * Real(i % 10) / 10, Vec3::UnitY()));
-    add_humanoid(scene, humanoid, turn * lying,
-                 {Real(4 * (i / 10 % 5)), Real(0.6) * Real(i % 10 + 1), Real(4 * (i / 50))});
+    const int across = 4 * (i / 10 % 5), along = 4 * (i / 50);
+    add_humanoid(scene, humanoid, turn * lying, {Real(across), Real(0.6) * Real(i % 10 + 1), Real(along)});
   }
   world = scene_of(scene);
 }
@@ -82,7 +82,8 @@ void hulls(World& world) {
   const Body one = hull(points_of_hull(), 25000);  // some 1000 kg/m^3
   for (int i = 0; i < 2048; ++i) {
     Body next = one;
-    const Vec3 place(4 * Real(i % 8) - 16, 2 + 4 * Real(i / 64), 4 * Real(i / 8 % 8) - 16);
+    const int layer = i / 64, along = i / 8 % 8;
+    const Vec3 place(4 * Real(i % 8) - 16, 2 + 4 * Real(layer), 4 * Real(along) - 16);
     world.add(next.at(place + one.position).rough(Real(0.6)));
   }
 }
@@ -109,10 +110,12 @@ void drum(World& world, bool paddles, int n, Real half, Real apart) {
     add_panel(world, 16, 18, from - pi / 180, to + pi / 180);
     if (paddles && i % 9 == 0) add_panel(world, 14, 16, from, to);
   }
-  for (int i = 0; i < n * n * n; ++i)
+  for (int i = 0; i < n * n * n; ++i) {
+    const int x = i / n / n - n / 2, y = i / n % n - n / 2, z = i % n - n / 2;
     world.add(box(Vec3::Constant(half), 8000 * half * half * half)
                   .rough(Real(0.6))
-                  .at(apart * Vec3(Real(i / n / n - n / 2), Real(i / n % n - n / 2), Real(i % n - n / 2))));
+                  .at(apart * Vec3(Real(x), Real(y), Real(z))));
+  }
 }
 
 void turn_drum(World& world, const World& start, Real dt) {
