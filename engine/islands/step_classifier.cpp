@@ -114,9 +114,8 @@ void StepClassifier::classify(const World& world, const Contacts& contacts, Real
   read_bodies(world, limits.turn / dt);
   find_large(world, contacts, limits);
   for (const Body& body : world.bodies) {
-    if (!body.movable()) continue;
     Island& island = at(island_of(body.index));
-    const StepReason reason = reason_for(island, limits);
+    const StepReason reason = body.movable() ? reason_for(island, limits) : StepReason::none;
     reasons_[std::size_t(body.index)] = reason;
     by_fast_[std::size_t(body.index)] = island.large && type_of(reason) == StepType::substeps;
   }
