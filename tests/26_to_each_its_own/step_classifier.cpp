@@ -62,6 +62,17 @@ TEST_CASE("calls: one that is near the limit stays what it is") {
   CHECK_FALSE(many(8));
 }
 
+TEST_CASE("calls: a body that has become immovable has no step") {
+  World world = standing(2);
+  StepClassifier calls;
+  find(calls, world, {});
+  REQUIRE(calls.step_of(1) != StepType::none);
+  world.bodies[1].fixed();
+  find(calls, world, {});
+  CHECK(calls.step_of(1) == StepType::none);
+  CHECK(calls.step_of(2) != StepType::none);
+}
+
 TEST_CASE("calls: many contacts have half steps while nothing arrives and nothing turns fast, few in any case") {
   World world = standing(1);
   StepClassifier calls;
