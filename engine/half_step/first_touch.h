@@ -16,16 +16,21 @@ class Flight {
   /// The state after t seconds, without I^-1.
   const Body& at(Real t);
 
-  /// For a corner of its core, along a direction n: m from the body's position, and m/s.
+  /// A corner of its core, from the body's position, with its velocity and acceleration. World axes.
   struct Corner {
-    Real height, speed;
+    Vec3 arm, velocity, acceleration;
   };
-  /// For all corners, at the time of the latest call of `at`. The speeds are off by no more than `slack`.
-  void look_along(const Vec3& n);
-  const std::vector<Corner>& corners() const { return seen_; }
+  /// All corners, at the time of the latest call of `at`. The speeds are off by no more than `slack`, m/s.
+  const std::vector<Corner>& look();
+  /// How often that was done.
+  int looks() const { return looks_; }
   Real slack() const { return bend_ * little_ / 2; }
   /// m/s^2, the most by which a corner curves away from its straight way, as the body turns.
   Real bend() const { return bend_; }
+  /// m/s^3, the most by which its acceleration changes.
+  Real jerk() const { return jerk_; }
+  /// Of the body, at the time of the latest call of `at`. m/s and m/s^2.
+  Vec3 velocity() const { return begin_.velocity + time_ * linear_; }
   const Vec3& acceleration() const { return linear_; }
 
  private:
@@ -35,8 +40,9 @@ class Flight {
   Vec3 linear_, angular_;
   std::vector<Vec3> core_;  // body axes, m
   std::vector<Corner> seen_;
-  Real time_ = 0, little_ = 0, bend_ = 0;
+  Real time_ = 0, little_ = 0, bend_ = 0, jerk_ = 0;
   bool turns_ = false;
+  int looks_ = 0;
 };
 
 /// s from now, or nothing if they do not touch within `within` s. Then they are apart by no more than `touching` (m), and have
@@ -45,9 +51,9 @@ class Flight {
 /// Two convex bodies are apart as long as their shadows on some line are. Take the n along which they are d apart: corner q of B and
 /// corner p of A come nearer along it by no more than
 ///
-///   d_pq(t + s) >= d_pq + c s + (a - k) s^2 / 2      c: their velocity along n now,  a: the acceleration,  k: what turns may bend
+///   d_pq(t + s) >= d_pq + c s + (a - j s / 3) s^2 / 2     c, a: their velocity and acceleration along n now,  j: the most jerk
 ///
-/// so nothing can touch until the first root of any of these. Advance to it, and repeat (conservative advancement). For balls,
+/// and no more than with the acceleration of the bodies and the most that turns may bend, so nothing can touch until the first root of any of these. Advance to it, and repeat (conservative advancement). For balls,
 /// this is Newton's method, from the side on which it never oversteps.
 ///   Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, PhD thesis, Berkeley 1996, 2.3, with speeds only.
 /// After 100 rounds, the search ends at a time until which nothing has touched.

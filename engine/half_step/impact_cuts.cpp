@@ -4,6 +4,7 @@
 
 #include "pushback/common/basics/input.h"
 #include "pushback/common/world/measure.h"
+#include "pushback/engine/direct/small_contact_problem.h"
 #include "pushback/engine/half_step/first_touch.h"
 #include "pushback/engine/half_step/gap.h"
 
@@ -11,7 +12,8 @@ namespace pushback {
 
 namespace {
 
-constexpr double of_corners = 500;  // multiplications for each pair of corners: some ten rounds of first_touch
+constexpr double of_corners = 150;  // multiplications for each pair of corners, in each round of first_touch
+constexpr double of_rows = 10;      // multiplications for the cube of their number, in a small problem
 constexpr int most_pairs = 1000;    // solved in sequence, before all are at the same time
 
 }  // namespace
@@ -54,7 +56,7 @@ bool ImpactCuts::bounce(KickDrift& motion, World& world, Real h, const std::vect
     if (!last) rows[k].bias = -leaves;
   }
   StepContext step{world, contacts, rows, h};
-  const bool solved = world.joints.empty() ? strike_free(step) : motion.strike(world, contacts, rows, h);
+  const bool solved = world.joints.empty() ? strike_free(motion, step) : motion.strike(world, contacts, rows, h);
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     if (solved && step.speed_error(k) >= -rounding) continue;
     motion.failure = fmt::format("where bodies {} and {} meet, {} m/s are left: impacts need solved contacts",
@@ -68,19 +70,27 @@ bool ImpactCuts::bounce(KickDrift& motion, World& world, Real h, const std::vect
   return true;
 }
 
+/// In blocks of bodies, or a few contacts from nothing, as chapter 17 does.
+bool ImpactCuts::solve_free(KickDrift& motion, StepContext& step) {
+  if (step.contacts.size() > SmallContactProblem::most_contacts)
+    return motion.strike(step.world, step.contacts, step.rows, step.dt);
+  const double left = direct_.work = motion.work_left(), rows = static_cast<double>(step.rows.size());
+  const bool solved = direct_.try_start(step);
+  return motion.spend(left - direct_.work + of_rows * rows * rows * rows) && solved;
+}
+
 /// Newton's rule and friction together may add energy (Kane 1984). Then every target speed is halved, up to three times, and finally set
 /// to 0, because without restitution the kinetic energy cannot grow.
-bool ImpactCuts::strike_free(StepContext& step) {
+bool ImpactCuts::strike_free(KickDrift& motion, StepContext& step) {
   constexpr Real rounding = std::numeric_limits<Real>::digits > 24 ? Real(1e-9) : Real(1e-4);
   const bool rubs =
       std::any_of(step.contacts.begin(), step.contacts.end(), [](const Contact& at) { return at.friction > 0; });
   const Real before = kinetic_energy(step.world);
   const Contacts contacts = step.contacts;
   const std::vector<BodyState> states(step.world.bodies.begin(), step.world.bodies.end());
-  direct_.work = exact_direct_contacts().work;
   Rows& rows = step.rows;
   for (int tries = 1;; ++tries) {
-    if (!direct_.try_start(step)) return false;
+    if (!solve_free(motion, step)) return false;
     const bool leaves = std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.bias != 0; });
     if (!rubs || !leaves || kinetic_energy(step.world) <= (1 + rounding) * before) return true;
     restore_states(step.world, states);
@@ -110,7 +120,15 @@ bool ImpactCuts::impact(KickDrift& motion, World& world, Real h, bool& met) {
   if (!met) return true;
   if (world.joints.empty()) find_accelerations(motion, world);
   taken_ += kinetic_energy(world);
-  for (int round = 0; impacts == Impacts::sequential && round < most_pairs && approaches(first); ++round) {
+  // Where nothing bounces, a sequence of pairs would not end: each makes another one approach.
+  const auto bounces = [&](std::size_t i) {
+    const Contact& at = world.contacts[i];
+    return at.restitution > 0 && separating_speed(world, at) < -motion.settings.threshold;
+  };
+  const auto in_sequence = [&] {
+    return impacts == Impacts::sequential && std::any_of(touching_.begin(), touching_.end(), bounces);
+  };
+  for (int round = 0; round < most_pairs && approaches(first) && in_sequence(); ++round) {
     const BodyPair pair = pair_of(world.contacts[*first]);
     of_pair_.clear();
     for (const std::size_t i : touching_)
@@ -169,10 +187,10 @@ bool ImpactCuts::next_touch(KickDrift& motion, const World& world, const std::ve
     const Body &a = bodies[p], &b = bodies[q];
     const Real before = touch.value_or(within);
     const auto corners = static_cast<double>(corners_of_core(a).size() * corners_of_core(b).size());
-    if (!motion.spend(of_corners * (1 + corners))) return false;
     Flight of_a(a, accelerations_[p], turning_[p], before);
     Flight of_b(b, accelerations_[q], turning_[q], before);
     if (const std::optional<Real> met = first_touch(of_a, of_b, before, touches / 2)) touch = met, first_ = pair;
+    if (!motion.spend(of_corners * (1 + corners) * of_a.looks())) return false;
   }
   return true;
 }

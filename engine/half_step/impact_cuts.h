@@ -5,7 +5,8 @@
 
 namespace pushback {
 
-/// The way to solve an impact (chapter 09): pair by pair, the fastest first, until no pair approaches, or all pairs at once.
+/// The way to solve an impact (chapter 09): pair by pair, the fastest first, until no pair bounces, and then all pairs at once, or
+/// all of them at once from the beginning.
 enum class Impacts { sequential, simultaneous };
 
 /// Pairs that are apart fly freely, without constraints:
@@ -65,7 +66,8 @@ class ImpactCuts {
 
   bool impact(KickDrift& motion, World& world, Real h, bool& met);
   bool bounce(KickDrift& motion, World& world, Real h, const std::vector<std::size_t>& which);
-  bool strike_free(StepContext& step);
+  bool strike_free(KickDrift& motion, StepContext& step);
+  bool solve_free(KickDrift& motion, StepContext& step);
   void find_accelerations(const KickDrift& motion, const World& world);
   Length try_step(KickDrift& motion, World& world, const KickDrift::Snapshot& begin, Real within);
   Real pressing(const World& world, const Contact& at) const;

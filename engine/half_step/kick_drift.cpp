@@ -298,7 +298,7 @@ bool KickDrift::step(World& world, Real h) {
 
 bool KickDrift::spend(double work) {
   together_.work -= work;
-  if (together_.work > 0) return true;
+  if (work_left() > 0) return true;
   failure = fmt::format("a step takes more than {} multiplications", settings.most_work);
   return false;
 }

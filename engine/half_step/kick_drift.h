@@ -59,6 +59,7 @@ class KickDrift {
   Acceleration acceleration(const World& world, std::size_t body) const;
   /// Counts multiplications of the caller. False if they exceed what is left.
   bool spend(double work);
+  double work_left() const { return settings.most_work - work(); }
   Snapshot snapshot(const World& world) const;
   void restore(World& world, const Snapshot& snapshot);
   /// An impact in a substep of h, with rows of all normals, then two tangents of each contact, and the joints. False if it cannot

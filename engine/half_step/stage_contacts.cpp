@@ -45,7 +45,10 @@ void StageContacts::apply_guess(World& world, double tolerance) {
   double largest = 0;
   for (const StageContact& at : contacts_)
     largest = std::max(largest, static_cast<double>(speed_of(world, at).squaredNorm()));
-  unit_ = std::sqrt(largest);
+  Real fastest = 0;
+  for (const Body& body : world.bodies) fastest = std::max(fastest, body.velocity.squaredNorm());
+  const double rounding = 10 * std::numeric_limits<Real>::epsilon() * std::sqrt(static_cast<double>(fastest));
+  unit_ = std::max(std::sqrt(largest), rounding / tolerance);
   for (StageContact& at : contacts_) {
     const Contact& contact = world.contacts[at.index];
     const auto [a, b] = world.bodies_of(contact);

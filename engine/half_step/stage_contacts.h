@@ -31,7 +31,7 @@ class StageContacts {
 
   /// Applies the impulses to the bodies. Impulses below `tolerance` times `unit()` become 0, because such a contact has parted.
   void apply_guess(World& world, double tolerance);
-  /// m/s: the largest |J V + b| before the impulses were applied. Residuals are fractions of it.
+  /// m/s: the largest |J V + b| before the impulses were applied, but so much that rounding is solved. Residuals are fractions of it.
   double unit() const { return unit_; }
   /// Chapter 16's relative_residual of the worst contact. Infinite if a contact slides against its slip direction.
   double residual(const World& world) const;
