@@ -79,9 +79,10 @@ function chosenBy(asked, kind, engine) {
   engine.choose(index, [0]);
   const { scene } = engine;
   const names = (asked.variants ?? asked.variant ?? scene.variants[0].name).split("|");
-  const places = names.map((name) => find(scene.variants, "name", name, "variant"));
+  const places = names.map((name) => find(scene.variants, "name", name, "variant")).sort((a, b) => a - b);
   const which = asked.number === undefined ? -1 : find(scene.numbers, "name", asked.number, "number");
-  return { scene, index, names, places, which, own, assignments, says: asked.says };
+  const lanes = places.map((place) => scene.variants[place].name); // in the order in which an engine has them
+  return { scene, index, names: lanes, places, which, own, assignments, says: asked.says };
 }
 
 const parameterOf = (engine, name) => engine.parameters[find(engine.parameters, "flag", `--${name}`, "parameter")];
