@@ -240,11 +240,12 @@ EMSCRIPTEN_KEEPALIVE const char* live_open(const char* selector) {
 EMSCRIPTEN_KEEPALIVE void live_begin() {
   marks_seen = {};
 }
-/// `shown`: 1 points, 2 impulses, 4 marks, 8 coarse drawing.
+/// `shown`: 1 points, 2 impulses, 4 marks, 8 coarse drawing; 16, 32, 48: what is lit.
 EMSCRIPTEN_KEEPALIVE const char* live_draw(int track, int shown, int x, int y, int width, int height) {
   return problem_of([&] {
     const Picture picture =
-        live->picture(static_cast<std::size_t>(track), looking, {(shown & 1) != 0, (shown & 2) != 0, (shown & 4) != 0});
+        live->picture(static_cast<std::size_t>(track), looking,
+                      {(shown & 1) != 0, (shown & 2) != 0, (shown & 4) != 0, static_cast<Lit>(shown >> 4)});
     marks_seen.see(picture);
     on_canvas->draw(picture, {x, y, width, height}, (shown & 8) != 0);
   });

@@ -306,7 +306,7 @@ namespace {
 
 /// The arrow length for 1 N s, m; 0: only points; none: no contacts.
 std::optional<Real> arrow_of(const Scene& scene, const World& start, Real dt, const Shown& shown) {
-  if (shown.impulses) return scene.arrow > 0 ? scene.arrow : fitting_arrow(start, dt);
+  if (shown.impulses || shown.lit == Lit::impulses) return scene.arrow > 0 ? scene.arrow : fitting_arrow(start, dt);
   return shown.points ? std::optional<Real>(0) : std::nullopt;
 }
 
@@ -383,6 +383,7 @@ Picture Live::picture(std::size_t track, const Camera& camera, const Shown& show
   }
   if (shown.marks && scene.marks) scene.marks(made, now, time);
   if (!shown.points) made.dots.clear();
+  light(made, now, shift(), shown.lit);
   if (held_) {
     const Vec3 point = point_of(now.bodies[held_->body], held_->on_body) + shift(), hand = held_->hand + shift();
     constexpr Real pixels = 3;

@@ -11,6 +11,7 @@
 #include "pushback/common/experiment/legend.h"
 #include "pushback/common/live/hand.h"
 #include "pushback/common/live/iterated.h"
+#include "pushback/common/live/lit.h"
 #include "pushback/common/render/picture.h"
 
 namespace pushback {
@@ -18,6 +19,7 @@ namespace pushback {
 /// The elements that a picture shows besides bodies.
 struct Shown {
   bool points = true, impulses = true, marks = true;
+  Lit lit = Lit::nothing;
 };
 
 /// Plays the scenes and variants that the experiment's own program plays. All variants shown are at the same step.

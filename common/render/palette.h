@@ -58,6 +58,11 @@ inline Ink friction_arrow_ink() {
   return {122, 46, 230};
 }
 
+/// For a quantity that a reader points at: book.css has the same colour.
+inline Ink lit_ink() {
+  return {255, 0, 140};
+}
+
 inline Colour body_colour(int index) {
   return linear(body_ink(index));
 }
@@ -78,6 +83,9 @@ inline Colour normal_arrow_colour() {
 }
 inline Colour friction_arrow_colour() {
   return linear(friction_arrow_ink());
+}
+inline Colour lit_colour() {
+  return linear(lit_ink());
 }
 
 }  // namespace pushback

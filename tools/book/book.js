@@ -6,6 +6,7 @@ import { challengeOf, challengesIn } from "./marks.js";
 import { markdown } from "./markdown.js";
 import { addressOf, outline, relative, toRoot } from "./outline.js";
 import { placesOf, quotable } from "./sources.js";
+import { withSymbols } from "./symbols.js";
 
 const copied = /\.(png|svg|webp)$/;
 const elsewhere = /^(tests|tools)(\/|$)|\.csv$/; // sources and data that are read in the repository, not in the book
@@ -111,6 +112,7 @@ export function readBook(root, live = new Map(), idle = {}, repository) {
       challenges: JSON.stringify((page.chapter && challenged.get(page.live)) || []),
     });
     page.html = md.render(page.text, page);
+    if (/^chapters\/0[1-7]_\w+\/README/.test(page.file)) page.html = withSymbols(page.html);
   }
   for (const { page, line, file, anchor } of anchors)
     if (!byFile.get(file).headings.some(({ id }) => id === anchor))

@@ -114,6 +114,7 @@
         make("div", { className: "pb-head" }, title, reset),
       );
       row.dataset.flag = flag;
+      if (document.querySelector(`article [data-symbol="${symbol}"]`)) row.dataset.symbol = symbol;
       if (now.length > mostSliders) {
         const onchange = ({ target }) =>
           this.change(parameter, (target.value.match(/[^,\s]+/g) ?? []).map(Number), true);

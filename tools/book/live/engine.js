@@ -222,7 +222,7 @@
     begin() {
       this.module._live_begin();
     }
-    /** `shown`: 1 points, 2 impulses, 4 marks, 8 coarsely. */
+    /** `shown`: 1 points, 2 impulses, 4 marks, 8 coarsely; 16, 32, 48: what is lit. */
     draw(lane, shown, x, y, width, height) {
       return this.text(this.module._live_draw(lane, shown, x, y, width, height));
     }

@@ -3,6 +3,8 @@
 (function () {
   const live = (self.PushbackLive = self.PushbackLive || {});
   const players = new Map();
+  /** What engine.draw shows in front of all, for the symbol that is lit: normals, depths, impulses. */
+  live.lit = () => ({ n: 16, d: 32, λ: 48 })[document.documentElement.dataset.lit] ?? 0;
   live.stillness = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 
   live.make = function (tag, properties = {}, ...children) {

@@ -15,11 +15,20 @@
       Object.assign(this.canvas, { id: "pushback-small", hidden: true });
       document.body.append(this.canvas);
       this.problem = engine.open(`#${this.canvas.id}`);
+      document.documentElement.addEventListener("lit", () => this.light());
       this.canvas.addEventListener("webglcontextlost", () =>
         this.pictures.forEach(({ figure }) => (figure.hidden = true)),
       );
     }
 
+    /** What plays is drawn by itself. */
+    light() {
+      if (this.playing) return;
+      for (const picture of this.pictures.filter(({ inSight }) => inSight)) {
+        picture.take(1000);
+        picture.draw();
+      }
+    }
     /** The next one in sight that has not been seen yet begins by itself, unless nothing should. */
     next() {
       if (this.playing || live.stillness()) return;
@@ -167,7 +176,7 @@
       for (const one of [canvas, workshop.canvas])
         if (one.width !== width || one.height !== height) Object.assign(one, { width, height });
       const { scene, lanes } = engine;
-      const shown = (scene.contacts ? 1 : 0) | (scene.impulses ? 2 : 0) | 4;
+      const shown = (scene.contacts ? 1 : 0) | (scene.impulses ? 2 : 0) | 4 | live.lit();
       engine.look(this.camera(width / lanes.length / height));
       engine.begin();
       lanes.forEach(({ lane }) => {

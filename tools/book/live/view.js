@@ -191,6 +191,7 @@
         this.curves.recolour();
         this.player.iterations.recolour();
       });
+      document.documentElement.addEventListener("lit", () => this.player.changed());
     }
     /** On a telephone the picture stays above what is scrolled. */
     get narrow() {
@@ -275,6 +276,7 @@
     listNumbers() {
       const { lanes, scene } = this.engine;
       this.cells = [];
+      this.stage.values = [];
       const row = ({ name }, which) => {
         const cells = lanes.map(({ lane }) => {
           const cell = make("td", { textContent: "–" });
@@ -313,7 +315,7 @@
       this.figure.classList.toggle("pb-still", Boolean(stage.problem));
       if (stage.problem !== this.stageTold) this.tell(stage.problem && `${stage.problem} The picture stays still.`);
       this.stageTold = stage.problem;
-      if (!stage.problem) this.listLegend();
+      if (!stage.problem && !live.lit()) this.listLegend(); // what is lit has a colour of its own
       const key = `${engine.now} ${engine.known} ${player.playing}`;
       if (this.known?.key === key || (player.playing && this.known && now - this.known.at < 200)) return;
       this.known = { key, at: now };
@@ -329,13 +331,16 @@
       const { engine } = this,
         began = performance.now();
       for (const { cell, lane, which } of this.cells) {
-        const from = due(engine.scene.numbers[which].name);
+        const { name } = engine.scene.numbers[which],
+          from = due(name);
         const early = engine.now * engine.dt < from - engine.dt / 2;
         const [is, should] = early ? [`from ${from} s on`] : engine.number(lane, which);
         cell.replaceChildren(is);
+        if (which === 0) this.stage.values[lane] = early || !engine.now ? [] : [name, is];
         const expected = `\u00a0(should be\u00a0${should})`;
         if (should) cell.append(make("span", { className: "pb-should", textContent: expected }));
       }
+      this.stage.label();
       this.cost = performance.now() - began; // ms: where it takes long, only when nothing moves
     }
     tell(problem) {

@@ -57,6 +57,22 @@
   unfold();
   addEventListener("beforeprint", () => folds.forEach((fold) => (fold.open = true)));
 
+  // A symbol that is pointed at, or has the focus, is lit in formulas, code and pictures. A click keeps it lit.
+  let kept = "";
+  const light = (symbol) => {
+    if (symbol === (html.dataset.lit ?? "")) return;
+    html.dataset.lit = symbol;
+    for (const one of document.querySelectorAll("[data-symbol]"))
+      one.classList.toggle("lit", one.dataset.symbol === symbol);
+    html.dispatchEvent(new CustomEvent("lit"));
+  };
+  const symbolAt = ({ target }) => target.closest?.("[data-symbol]")?.dataset.symbol ?? "";
+  document.addEventListener("pointerover", (event) => {
+    if (event.pointerType !== "touch") light(symbolAt(event) || kept); // a finger that scrolls points at nothing
+  });
+  document.addEventListener("focusin", (event) => light(symbolAt(event)));
+  document.addEventListener("click", (event) => light((kept = symbolAt(event))));
+
   // A film plays when it is asked to.
   for (const play of document.querySelectorAll("button.play")) {
     const picture = play.parentElement.querySelector("img");
