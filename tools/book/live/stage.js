@@ -80,7 +80,7 @@
     /** `player`: what is played; it is asked for lanes and told of what the hand does. */
     constructor(player, element) {
       Object.assign(this, { player, element, camera: new Camera(), follow: false, coarse: false });
-      this.values = []; // each lane's first number: its name, and what it is
+      this.numbers = Array.from({ length: 4 }, () => [live.make("span"), live.make("span")]); // of each lane: its name, and what it is
       this.tab = 0; // the lane that is seen where there is room for one
       this.room = 0.72 * window.innerHeight; // CSS pixels of height
       this.cost = Infinity; // ms, of a whole picture, as far as that is known: what moves is drawn coarsely until then
@@ -183,7 +183,7 @@
         { lanes } = engine,
         { make } = live;
       const wanted = this.panes.map((pane) => {
-        const own = { name: names[pane.lane], mishap: engine.mishap(pane.lane), value: this.values[pane.lane] };
+        const own = { name: names[pane.lane], mishap: engine.mishap(pane.lane) };
         return { pane, ...lanes[pane.lane], ...own };
       });
       const key = JSON.stringify([wanted, this.size, this.tabbed && lanes]);
@@ -195,12 +195,13 @@
         for (const [side, value] of Object.entries(box)) element.style[side] = `${value}px`;
         return element;
       };
-      const labels = wanted.map(({ pane, mishap, value = [], ...lane }) => {
-        const tabName = this.tabbed ? [] : live.marked(lane); // what a tab names needs no label on its picture
-        const name = make("span", {}, ...tabName, tabName.length && mishap ? `: ${mishap}` : mishap);
-        const [what, is] = value.map((textContent) => make("span", { textContent }));
-        const className = this.tabbed ? "pb-label pb-over" : "pb-label";
-        return within(className, pane.left, pane.top - this.head, pane.width, head, name, ...(what ? [what, is] : []));
+      const labelled = wanted.filter(({ mishap }) => mishap || !this.tabbed); // what a tab names needs no label on its picture
+      const labels = labelled.map(({ pane, mishap, ...lane }) => {
+        const marked = this.tabbed
+          ? [mishap]
+          : live.marked({ ...lane, name: [lane.name, mishap].filter(Boolean).join(": ") });
+        const words = [make("span", {}, ...marked), ...(this.tabbed ? [] : this.numbers[pane.lane])];
+        return within("pb-label", pane.left, pane.top - this.head, pane.width, head, ...words);
       });
       const gutters = this.panes
         .filter(({ left }) => left > 0)
@@ -232,7 +233,11 @@
           this.tabs.children[this.tab].focus();
         },
       };
-      return live.make("button", properties, ...live.marked(lane));
+      return live.make("button", properties, ...live.marked(lane), this.numbers[lane.lane][1]);
+    }
+    /** Beside the name of a variant its first number. */
+    number(lane, ...words) {
+      this.numbers[lane].forEach((element, i) => (element.textContent = words[i]));
     }
     /** Where there is room for one variant: this one. */
     show(lane) {

@@ -276,7 +276,7 @@
     listNumbers() {
       const { lanes, scene } = this.engine;
       this.cells = [];
-      this.stage.values = [];
+      for (const lane of this.stage.numbers.keys()) this.stage.number(lane, "", "");
       const row = ({ name }, which) => {
         const cells = lanes.map(({ lane }) => {
           const cell = make("td", { textContent: "–" });
@@ -336,11 +336,10 @@
         const early = engine.now * engine.dt < from - engine.dt / 2;
         const [is, should] = early ? [`from ${from} s on`] : engine.number(lane, which);
         cell.replaceChildren(is);
-        if (which === 0) this.stage.values[lane] = early || !engine.now ? [] : [name, is];
+        if (which === 0) this.stage.number(lane, ...(early || !engine.now ? ["", ""] : [name, is]));
         const expected = `\u00a0(should be\u00a0${should})`;
         if (should) cell.append(make("span", { className: "pb-should", textContent: expected }));
       }
-      this.stage.label();
       this.cost = performance.now() - began; // ms: where it takes long, only when nothing moves
     }
     tell(problem) {
