@@ -5,6 +5,7 @@
 
 #include "pushback/chapters/07_warm_start/full_solver.h"
 #include "pushback/chapters/11_substeps/substeps.h"
+#include "pushback/common/render/palette.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
 
@@ -117,6 +118,29 @@ TEST_CASE("a body follows the hand, a heavy one as a light one does") {
     CHECK((world.bodies[0].position - Vec3(1, 2, 0)).norm() < 1e-3);
   }
   CHECK((places[0] - places[1]).norm() < 1e-12);
+}
+
+TEST_CASE("what is lit is at each contact: the normal from its point, the depth from surface to surface") {
+  Played played;
+  Live& live = played.live;
+  live.go_to(30);
+  const Contact& contact = live.world(0).contacts.front();
+  const Vec3& eye = from_the_front.eye;
+  const auto seen_at = [&](const Vec3& place, const Vec3& point) {
+    return (place - eye).normalized().isApprox((point - eye).normalized(), Real(1e-9));
+  };
+  const auto lit = [&](Lit what) { return live.picture(0, from_the_front, {false, false, false, what}).arrows; };
+  CHECK(lit(Lit::nothing).empty());
+  const std::vector<Arrow> normals = lit(Lit::normals), depths = lit(Lit::depths), impulses = lit(Lit::impulses);
+  const std::size_t contacts = live.world(0).contacts.size();
+  CHECK(normals.size() == contacts);
+  CHECK(depths.size() == 2 * contacts);
+  CHECK(!impulses.empty());
+  CHECK(seen_at(normals[0].tail, contact.point));
+  CHECK((normals[0].tip - normals[0].tail).normalized().isApprox(contact.normal, Real(1e-9)));
+  CHECK(seen_at(depths[0].tip, contact.point + contact.depth / 2 * contact.normal));
+  CHECK(seen_at(depths[1].tip, contact.point - contact.depth / 2 * contact.normal));
+  for (const Arrow& arrow : impulses) CHECK(arrow.colour == lit_colour());
 }
 
 TEST_CASE("what a parameter may not be is refused by name, and nothing changes") {
