@@ -78,7 +78,10 @@ test("from a folder, 360 pixels wide: nothing fails, nothing is wider than the p
     page.off("request", note);
     assert.deepEqual(page.wrong, [], name);
     assert.deepEqual(seen, { wide: 360, without: [], missing: [], titles: 1, folded: 0 }, name);
-    weights.push({ name, kB: Math.round([...files].reduce((sum, file) => sum + weight(file), 0) / 1000) });
+    weights.push({
+      name,
+      kB: Math.round([...files].reduce((sum, file) => sum + weight(file), 0) / 1000),
+    });
   });
   const [heaviest] = weights.filter(({ name }) => name !== "gallery.html").sort((a, b) => b.kB - a.kB); // the gallery loads what is seen
   console.log(`the heaviest: ${heaviest.name}, ${heaviest.kB} kB`);
@@ -154,7 +157,10 @@ test("the contents show where the reader is, in the trunk or in a branch, on a t
 });
 
 test("accessible by the rules of WCAG 2 AA, light and dark", async () => {
-  const rules = { light: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"], dark: ["color-contrast"] };
+  const rules = {
+    light: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"],
+    dark: ["color-contrast"],
+  };
   const kinds = ["index.html", chapter, "docs/hard_cases.html", "renders/hard_cases/table.html", "gallery.html"];
   for (const colorScheme of ["light", "dark"]) {
     await onAll(browser, [...kinds, sources[0]], { colorScheme }, async (page, name) => {
@@ -263,6 +269,40 @@ test("on a telephone the contents open and close by the keyboard; without script
   for (const part of ["nav.course a[aria-current]", "article .katex"]) assert.ok(await plain.isVisible(part), part);
   assert.equal(await plain.isVisible("#search"), false);
   await plain.close();
+});
+
+test("on a telephone what scrolls fades where there is more, a first column stays, a tap enlarges a sheet in its place", async () => {
+  const page = await newPage(browser, {
+    viewport: { width: 390, height: 844 },
+  });
+  await page.goto(address("renders/hard_cases/table.html"));
+  const table = page.locator(".table").first();
+  const seen = () =>
+    table.evaluate((one) => ({
+      fades: getComputedStyle(one).maskImage !== "none" && one.className.split(" ").slice(1).join(" "),
+      first: one.querySelector("tr:nth-child(5) > :first-child").getBoundingClientRect().left,
+      second: one.querySelector("tr:nth-child(5) > :nth-child(2)").getBoundingClientRect().left,
+    }));
+  const before = await seen();
+  assert.equal(before.fades, "more-right");
+  await table.evaluate((one) => one.scrollTo(1e4, 0));
+  await page.waitForFunction(() => !document.querySelector(".table").matches(".more-right"));
+  const after = await seen();
+  assert.equal(after.first, before.first);
+  assert.ok(after.second < after.first);
+  await page.goto(address("chapters/07_warm_start/index.html"));
+  await page.waitForSelector(".formula.more-right");
+  const sheet = page.locator("figure.sheet img").first();
+  const width = () => sheet.evaluate((picture) => picture.clientWidth);
+  for (const [least, most] of [
+    [900, 1100],
+    [300, 390],
+  ]) {
+    await sheet.click();
+    assert.ok((await width()) > least && (await width()) < most);
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
+  }
+  await page.close();
 });
 
 test("in a book that is still, the film stands still until it is asked for; a link into what is folded opens it", async () => {

@@ -40,11 +40,32 @@
   const here = course.querySelector("[aria-current]");
   if (here) course.scrollTop = here.offsetTop - course.clientHeight / 3;
 
-  // What is wider than its place scrolls within it, by the keyboard, too.
-  const scrollers = new ResizeObserver((entries) => {
-    for (const { target } of entries) target.tabIndex = target.scrollWidth > target.clientWidth ? 0 : -1;
-  });
-  for (const element of document.querySelectorAll("article :is(.table, pre, .formula)")) scrollers.observe(element);
+  // What is wider than its place scrolls within it, by the keyboard, too, and shows on which side there is more.
+  const measure = (element) => {
+    const beyond = element.scrollWidth - element.clientWidth;
+    if (!element.href) element.tabIndex = beyond > 0 ? 0 : -1;
+    element.classList.toggle("more-left", element.scrollLeft > 1);
+    element.classList.toggle("more-right", beyond - element.scrollLeft > 1);
+  };
+  const pictures = [...document.querySelectorAll("figure:is(.sheet, .plot, .drawing) > a")];
+  const wide = [...document.querySelectorAll("article :is(.table, pre, .formula)"), ...pictures];
+  const scrollers = new ResizeObserver((entries) => entries.forEach(({ target }) => measure(target)));
+  for (const element of wide) {
+    scrollers.observe(element);
+    element.addEventListener("scroll", () => measure(element), { passive: true });
+  }
+  document.fonts.ready.then(() => wide.forEach(measure));
+
+  // On a telephone a picture with words is enlarged in its place, around the point that was tapped.
+  for (const picture of pictures)
+    picture.addEventListener("click", (event) => {
+      if (!matchMedia("(max-width: 40rem)").matches) return;
+      event.preventDefault();
+      const { left, width } = picture.getBoundingClientRect();
+      if (picture.classList.toggle("large"))
+        picture.scrollLeft = ((event.clientX - left) / width) * picture.scrollWidth - width / 2;
+      measure(picture);
+    });
 
   // A link into what is folded opens it; on paper nothing is folded.
   const folds = [...document.querySelectorAll("article details")];
