@@ -92,6 +92,7 @@ export function readBook(root, live = new Map(), idle = {}, repository) {
   for (const page of pages) {
     page.address = addressOf(page.file);
     page.root = toRoot(page.address);
+    page.engines = live;
     page.engine = live.get(page.experiment);
     page.live = page.engine && page.experiment;
   }

@@ -4,7 +4,7 @@ import katex from "katex";
 import MarkdownIt from "markdown-it";
 import mathSyntax from "@vscode/markdown-it-katex";
 import { linkCases } from "./cases.js";
-import { challengeLinks, settingSentences, smallPictures } from "./marks.js";
+import { challengeLinks, settingSentences, smallPictures, wallOfClips } from "./marks.js";
 import { escaped, highlighted } from "./sources.js";
 
 const math = ["math_inline", "math_inline_block", "math_inline_bare_block", "math_block"];
@@ -47,6 +47,7 @@ function readPage({ tokens, env: page }) {
   tables(tokens);
   linkCases(tokens, page);
   smallPictures(tokens, page);
+  wallOfClips(tokens, page);
   settingSentences(tokens, page);
   challengeLinks(tokens, page);
   for (const token of tokens) if (token.type === "inline") keepTogether(token.children);

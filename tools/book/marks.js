@@ -7,6 +7,10 @@
 ///
 ///   the sum <!-- set: scene="strobe" variants="bounce + push-out" at="1.3" number="apex 1" says="1.4 m" -->sends it to 1.4 m<!-- /set -->
 ///
+/// in a table of pictures, behind a picture, a clip that plays in its place again and again, with a switch to the second variant:
+///
+///   <!-- clip: chapter="07_warm_start" scene="pyramid" variants="cold\|warm" values="sweeps=1" seconds="9" slow="1/3" -->
+///
 /// and in docs/challenges.md a challenge, which the chapter's experiment judges:
 ///
 ///   <!-- challenge: key="fewest-sweeps" chapter="07_warm_start" scene="a-stack" variant="warm" values="boxes=20" set="sweeps dt"
@@ -25,6 +29,7 @@ import { escaped } from "./sources.js";
 
 const known = {
   live: "scene variants values slider label from to step seconds slow number says words aspect zoom",
+  clip: "chapter scene variants values seconds slow zoom words",
   set: "scene variants values at number says",
   challenge: "key chapter scene variant variants values set asks score best unit ours scored",
 };
@@ -90,8 +95,8 @@ const parameterOf = (engine, name) => engine.parameters[find(engine.parameters, 
 // ---- live pictures
 
 /// All that a page has to be told of a small picture. Throws with what does not exist.
-export function clipOf(asked, engine) {
-  const { scene, index, names, places, which, own, assignments, says } = chosenBy(asked, "live", engine);
+export function clipOf(asked, engine, kind = "live") {
+  const { scene, index, names, places, which, own, assignments, says } = chosenBy(asked, kind, engine);
   const number = (name, usual) => (asked[name] === undefined ? usual : valueOf(asked[name]));
   let slider = null;
   if (asked.slider !== undefined) {
@@ -138,22 +143,43 @@ export function smallPictures(tokens, page) {
   }
 }
 
-function lookedUp(page, line, look) {
-  if (!page.engine) return null;
+/// Puts a clip in the place of the picture before each mark. Until it is drawn the picture shows.
+export function wallOfClips(tokens, page) {
+  for (const { map, children } of tokens.filter(({ type }) => type === "inline")) {
+    const at = children.findIndex(({ content }) => markIn(content, "clip"));
+    if (at < 0) continue;
+    const asked = markIn(children[at].content, "clip");
+    const { chapter } = asked;
+    const engine = page.engines.get(chapter);
+    const clip = lookedUp(page, map ? map[0] + 1 : 1, (own) => clipOf(asked, own, "clip"), engine);
+    children[at].content = "";
+    if (!clip) continue;
+    const from = children.findLastIndex(({ type }, i) => i < at && type === "link_open");
+    const open = new children[at].constructor("html_inline", "", 0);
+    const [before, after] = figure(clip, { live: chapter, root: page.root }, true).split("<canvas");
+    open.content = before;
+    children[at].content = `<canvas${after}`;
+    children.splice(from, 0, open);
+  }
+}
+
+function lookedUp(page, line, look, engine = page.engine) {
+  if (!engine) return null;
   try {
-    return look(page.engine);
+    return look(engine);
   } catch (problem) {
     page.problem(line, `the mark: ${problem.message}`);
     return null;
   } finally {
-    page.engine.set("");
+    engine.set("");
   }
 }
 
 const icon = (name, path) => `<svg class="${name}" viewBox="0 0 16 16" aria-hidden="true"><path d="${path}"/></svg>`;
 const icons = icon("go", "M4 2v12l10-6z") + icon("rest", "M3 2h4v12H3zM9 2h4v12H9z");
 
-function figure(clip, page) {
+/// `turns`: a clip that plays again and again, and shows one of its two variants.
+function figure(clip, page, turns = false) {
   const { slider, words, names, aspect } = clip;
   const lanes = names.map((name) => `<span>${escaped(name)}</span>`).join("");
   const label = slider && escaped(slider.label);
@@ -161,13 +187,16 @@ function figure(clip, page) {
   const set = slider
     ? `<label><span>${label}</span><output aria-live="off">${value}</output><input type="range" min="0" ` +
       `max="${slider.notches}" value="${slider.at}" aria-label="${label}" aria-valuetext="${value}" disabled></label>`
-    : "";
+    : turns
+      ? `<label class="mended"><input type="checkbox" aria-label="mended: ${escaped(words)}" disabled> mended</label>`
+      : "";
+  const output = clip.number ? '<output aria-live="off"></output>' : "";
   return (
-    `<figure class="small-live" data-chapter="${page.live}" data-root="${page.root}" data-clip="${escaped(JSON.stringify(clip))}">` +
-    `<canvas role="img" aria-label="${escaped([words, ...names].join("; "))}" style="aspect-ratio: ${aspect}"></canvas>` +
-    (names.length > 1 ? `<div class="small-lanes">${lanes}</div>` : "") +
+    `<figure class="small-live${turns ? " turns" : ""}" data-chapter="${page.live}" data-root="${page.root}" data-clip="${escaped(JSON.stringify(clip))}">` +
+    `<canvas role="img" aria-label="${escaped([words, ...names].join("; "))}" style="aspect-ratio: ${turns ? 1.5 : aspect}"></canvas>` +
+    (names.length > 1 && !turns ? `<div class="small-lanes">${lanes}</div>` : "") +
     `<div class="small-controls"><button type="button" aria-label="Play: ${escaped(words)}" disabled>${icons}</button>${set}</div>` +
-    `<figcaption>${escaped(words)}${clip.number ? '<output aria-live="off"></output>' : ""}</figcaption></figure>\n`
+    `${turns ? "" : `<figcaption>${escaped(words)}${output}</figcaption>`}</figure>\n`
   );
 }
 

@@ -45,7 +45,8 @@ function described(page, { pictures }) {
   const sheet = pictures.find((one) => one.page.file === file && one.kind === "sheet");
   const film = pictures.find(({ kind }) => kind === "film");
   return {
-    ...{ file, part, live, parent, address, root, title, html, number, place, foot: page.foot ?? [] },
+    live: live || html.includes('class="small-live'),
+    ...{ file, part, parent, address, root, title, html, number, place, foot: page.foot ?? [] },
     onward: onwardOf(page),
     name: file === "README.md" ? "Front page" : task ? `Exercise: ${task}` : name,
     label: task ? "Exercise" : parent ? "Table" : "",

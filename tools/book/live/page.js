@@ -110,14 +110,20 @@
     if (link?.href === location.href) follow(figures); // the address does not change then
   }
 
-  /** Programs come as figures come near the window; the small ones begin then, all of them with the first. */
+  /** Programs come as figures come near the window; the small ones begin then, all of a chapter with the first. */
   function whenNear(figures, small) {
+    const begun = new Map();
+    const begin = (chapter) => {
+      if (begun.has(chapter)) return;
+      begun.set(chapter, live.beginSmall(small.filter((one) => one.dataset.chapter === chapter)));
+      test.small = Promise.all(begun.values()).then((all) => all.flat());
+    };
     const near = new IntersectionObserver(
       (seen) => {
         for (const { target } of seen.filter(({ isIntersecting }) => isIntersecting)) {
           near.unobserve(target);
           const { chapter, root } = target.dataset;
-          if (small.includes(target)) test.small ??= live.beginSmall(small);
+          if (small.includes(target)) begin(chapter);
           else live.program(chapter, root).catch(() => {}); // said to who asks for it
         }
       },

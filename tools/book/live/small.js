@@ -1,9 +1,11 @@
 "use strict";
-// Small pictures beside a sentence: a clip of one scene, with one slider. One engine and one WebGL canvas play and draw all of a page,
-// one at a time; each picture keeps what it shows on a canvas of its own.
+// Small pictures beside a sentence: a clip of one scene, with one slider. One engine and one WebGL canvas play and draw all of a
+// chapter, one at a time; each picture keeps what it shows on a canvas of its own. In a wall of symptoms each has another chapter, plays
+// again and again, and a switch shows its other variant.
 (function () {
   const live = (self.PushbackLive = self.PushbackLive || {});
   const slice = 10; // ms of a frame for steps: what takes longer is played slower
+  const rest = 0.7; // s at the end of a clip that begins again
 
   class Workshop {
     constructor(engine) {
@@ -11,14 +13,19 @@
       this.shown = null; // the picture whose clip the engine plays
       this.playing = null;
       this.pictures = [];
-      this.canvas = document.createElement("canvas");
-      Object.assign(this.canvas, { id: "pushback-small", hidden: true });
-      document.body.append(this.canvas);
-      this.problem = engine.open(`#${this.canvas.id}`);
+      this.open();
       document.documentElement.addEventListener("lit", () => this.light());
-      this.canvas.addEventListener("webglcontextlost", () =>
-        this.pictures.forEach(({ figure }) => (figure.hidden = true)),
-      );
+    }
+
+    open() {
+      this.canvas = document.createElement("canvas");
+      Object.assign(this.canvas, { id: `pushback-small-${this.engine.description.name}`, hidden: true });
+      document.body.append(this.canvas);
+      this.problem = this.engine.open(`#${this.canvas.id}`);
+      this.canvas.addEventListener("webglcontextlost", ({ target }) => {
+        target.remove(); // a browser has a few contexts, and takes away the oldest
+        this.problem = "lost";
+      });
     }
 
     /** What plays is drawn by itself. */
@@ -43,23 +50,30 @@
       this.canvas = figure.querySelector("canvas");
       this.pen = this.canvas.getContext("2d");
       this.button = figure.querySelector("button");
-      this.slider = figure.querySelector("input");
+      this.slider = figure.querySelector("[type=range]");
+      this.mended = figure.querySelector("[type=checkbox]");
       this.value = figure.querySelector("label output");
       this.number = figure.querySelector("figcaption output");
-      this.time = 0; // s, of the clip
+      this.time = this.mended && live.stillness() ? this.clip.seconds : 0; // s, of the clip
       this.drawn = null; // the step that is seen
       this.begun = false;
       this.inSight = false;
       this.button.addEventListener("click", () => (this.playing ? this.pause() : this.play()));
       this.slider?.addEventListener("input", () => this.slide());
+      this.mended?.addEventListener("change", () => this.draw());
       this.listen();
       this.label();
-      for (const control of [this.button, this.slider]) if (control) control.disabled = false;
+      for (const control of [this.button, this.slider, this.mended]) if (control) control.disabled = false;
       workshop.pictures.push(this);
     }
 
     get playing() {
       return this.workshop.playing === this;
+    }
+    /** The lanes that are seen: all, or the one that is chosen. */
+    get lanes() {
+      const { lanes } = this.engine;
+      return this.mended ? lanes.filter(({ place }) => place === this.clip.places[Number(this.mended.checked)]) : lanes;
     }
     get steps() {
       return Math.min(this.engine.steps, Math.round(this.clip.seconds / this.engine.dt));
@@ -142,11 +156,12 @@
       if (!this.playing) return;
       const passed = this.before === null ? 0 : now - this.before;
       this.before = now;
-      this.time = Math.min(this.clip.seconds, this.time + Math.min(passed, 100) / 1000 / this.clip.slow);
+      this.time += Math.min(passed, 100) / 1000 / this.clip.slow;
+      if (this.mended && this.time > this.clip.seconds + rest / this.clip.slow) this.time = 0;
       const reached = this.engine.now;
       if (this.step !== this.drawn) this.draw();
       if (this.engine.now < this.step) this.time = Math.max(this.engine.now, reached) * this.engine.dt;
-      if (this.step < this.steps) requestAnimationFrame((then) => this.frame(then));
+      if (this.mended || this.step < this.steps) requestAnimationFrame((then) => this.frame(then));
       else {
         this.pause();
         this.workshop.next();
@@ -172,16 +187,19 @@
         width = Math.round(scale * canvas.clientWidth),
         height = Math.round(scale * canvas.clientHeight);
       if (!width || !height) return;
+      if (workshop.problem) workshop.open();
+      if (workshop.problem) return;
       this.take();
       for (const one of [canvas, workshop.canvas])
         if (one.width !== width || one.height !== height) Object.assign(one, { width, height });
-      const { scene, lanes } = engine;
+      const { scene } = engine,
+        { lanes } = this;
       const shown = (scene.contacts ? 1 : 0) | (scene.impulses ? 2 : 0) | 4 | live.lit();
       engine.look(this.camera(width / lanes.length / height));
       engine.begin();
-      lanes.forEach(({ lane }) => {
-        const from = Math.round((lane * width) / lanes.length),
-          to = Math.round(((lane + 1) * width) / lanes.length);
+      lanes.forEach(({ lane }, at) => {
+        const from = Math.round((at * width) / lanes.length),
+          to = Math.round(((at + 1) * width) / lanes.length);
         engine.draw(lane, shown, from, 0, to - from, height);
       });
       this.pen.drawImage(workshop.canvas, 0, 0);
@@ -204,7 +222,7 @@
     }
   };
 
-  /** The small pictures of a page; where they cannot be drawn there are none. */
+  /** The small pictures of a page; where they cannot be drawn, pictures of a wall stay. */
   live.beginSmall = async function (figures) {
     try {
       const { chapter, root } = figures[0].dataset;
@@ -213,7 +231,10 @@
     } catch (problem) {
       console.error(problem);
     }
-    for (const figure of figures) figure.hidden = true;
+    for (const figure of figures) {
+      for (const part of figure.querySelectorAll("canvas, .small-controls")) part.remove();
+      figure.hidden = !figure.querySelector("img");
+    }
     return [];
   };
 })();
