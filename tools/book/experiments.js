@@ -50,9 +50,10 @@ export function liveFiles(folder) {
 const large = 200e3; // bytes, compressed
 
 /// The first experiment as a whole, and of each what differs from it, compressed: together a tenth of their size. An experiment that
-/// differs from the first by much is what those after it start from.
+/// differs from the first by much is what those after it start from, so the large ones come last.
 function packed(folder) {
-  const names = experimentsIn(folder);
+  const isLarge = (name) => fs.statSync(path.join(folder, `${name}.wasm`)).size > 1.3e6;
+  const names = experimentsIn(folder).sort((a, b) => isLarge(a) - isLarge(b));
   if (!names.length) return [];
   const read = (name, ending) => fs.readFileSync(path.join(folder, `${name}.${ending}`));
   const whole = (name) => Buffer.concat([read(name, "js"), read(name, "wasm")]);

@@ -4,7 +4,7 @@ import path from "node:path";
 
 /// The pages of docs/ by what a reader does with them, in the order of the course; one that is not named here comes last.
 const further = {
-  "Use it": ["symptoms", "which_solver", "your_own_scene", "bodies_and_queries", "commands", "challenges"],
+  "Use it": ["symptoms", "sandbox", "which_solver", "your_own_scene", "bodies_and_queries", "commands", "challenges"],
   Measure: ["hard_cases", "accuracy_and_time", "speed", "benchmark", "engines", "soak_and_fuzz"],
   Understand: ["notation", "engine", "methods"],
   Teach: ["teaching", "a_solver_of_your_own"],

@@ -11,6 +11,8 @@
       this.view = new live.View(this, figure);
       this.iterations = new live.Iterations(this.view.iterations, engine, () => this.remember());
       this.toy = figure.matches(".toy") ? new live.Toy(this) : null;
+      this.sandbox = engine.description.name === "sandbox" ? new live.Sandbox(this) : null;
+      if (this.sandbox && !state.has("show")) state.set("show", 0);
       this.arrive(this.toy?.state ?? state);
     }
 
@@ -84,8 +86,9 @@
       this.speed ??= this.usualSpeed();
       this.view.begin();
     }
-    /** So that the scene takes three to six seconds. */
+    /** So that the scene takes three to six seconds; a sandbox is no film. */
     usualSpeed() {
+      if (this.sandbox) return 1;
       const seconds = this.engine.steps * this.engine.dt;
       return live.speeds.filter((speed) => seconds / speed >= 3).pop() ?? live.speeds[0];
     }
@@ -257,6 +260,7 @@
       if (moving) view.stage.hurry();
       view.stage.draw();
       view.read(now);
+      this.sandbox?.read();
       if (moving) this.changed();
     }
 

@@ -254,6 +254,20 @@
     spot(pane, x, y) {
       return [(2 * (x - pane.left)) / pane.width - 1, 1 - (2 * (y - pane.top)) / pane.height];
     }
+    /** Where the plane z = 0 is seen, [x, y], m. */
+    onPlane(x, y) {
+      const pane = this.paneAt(x, y);
+      if (!pane) return null;
+      const { eye, target, fieldOfView } = this.cameraFor(pane),
+        half = Math.tan(fieldOfView / 2),
+        ahead = unit(minus(target, eye)),
+        right = unit(cross(ahead, [0, 1, 0])),
+        [across, up] = this.spot(pane, x, y);
+      const aside = plus(ahead, right, (half * across * pane.width) / pane.height);
+      const towards = plus(aside, cross(right, ahead), half * up);
+      const away = -eye[2] / towards[2];
+      return away > 0 ? plus(eye, towards, away).slice(0, 2) : null;
+    }
     place(event) {
       const box = this.canvas.getBoundingClientRect();
       return [event.clientX - box.left, event.clientY - box.top];
