@@ -49,11 +49,10 @@ export function liveFiles(folder) {
 
 const large = 200e3; // bytes, compressed
 
-/// The first experiment as a whole, and of each what differs from it, compressed: together a tenth of their size. An experiment that
-/// differs from the first by much is what those after it start from, so the large ones come last.
+/// The first experiment as a whole, and of each what differs from it, compressed: together a tenth of their size. A chapter that
+/// differs from the first by much is what the chapters after it start from; a page that is no chapter's does not load that one, too.
 function packed(folder) {
-  const isLarge = (name) => fs.statSync(path.join(folder, `${name}.wasm`)).size > 1.3e6;
-  const names = experimentsIn(folder).sort((a, b) => isLarge(a) - isLarge(b));
+  const names = experimentsIn(folder);
   if (!names.length) return [];
   const read = (name, ending) => fs.readFileSync(path.join(folder, `${name}.${ending}`));
   const whole = (name) => Buffer.concat([read(name, "js"), read(name, "wasm")]);
@@ -62,13 +61,15 @@ function packed(folder) {
     name: `programs/${name}.js`,
     text: `(self.PUSHBACK_PROGRAMS = self.PUSHBACK_PROGRAMS || {})["${name}"] = ${JSON.stringify(program)};\n`,
   });
-  let [from, start] = ["common", whole(names[0])];
-  const scripts = [script(from, { packed: compressed(start) })];
+  const common = ["common", whole(names[0])];
+  let latest = common;
+  const scripts = [script("common", { packed: compressed(common[1]) })];
   for (const name of names) {
+    const [from, start] = /^\d\d_/.test(name) ? latest : common;
     const loader = read(name, "js").length;
     const program = { from, loader, packed: compressed(difference(start, whole(name))) };
     scripts.push(script(name, program));
-    if (from === "common" && program.packed.length > large * (4 / 3)) [from, start] = [name, whole(name)];
+    if (latest === common && program.packed.length > large * (4 / 3)) latest = [name, whole(name)];
   }
   return scripts;
 }
