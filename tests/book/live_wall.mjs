@@ -33,6 +33,15 @@ test("the wall of symptoms: clips in sight turn, the switch shows the fix at the
   const mended = await picture();
   assert.equal(mended.step, ill.step);
   assert.notEqual(mended.pixels, ill.pixels);
+  // A browser that takes the graphics away gives others.
+  await page.evaluate(async () => {
+    const { canvas } = clip.workshop;
+    const lost = new Promise((done) => canvas.addEventListener("webglcontextlost", done));
+    canvas.getContext("webgl2").getExtension("WEBGL_lose_context").loseContext();
+    await lost;
+  });
+  await page.getByRole("checkbox", { name: "mended: A column sticks" }).uncheck();
+  assert.equal((await picture()).pixels, ill.pixels);
   assert.deepEqual(page.wrong, []);
   await page.close();
   const still = await opened("reduce");

@@ -12,7 +12,7 @@ namespace {
 
 /// As the parameter lists it: four numbers.
 struct Action {
-  enum Kind { flip, box, ball, kind_count };
+  enum Kind : long { flip, box, ball, kind_count };
 
   long step;
   Kind kind;

@@ -18,14 +18,13 @@
     }
 
     open() {
+      this.canvas?.remove();
       this.canvas = document.createElement("canvas");
       Object.assign(this.canvas, { id: `pushback-small-${this.engine.description.name}`, hidden: true });
       document.body.append(this.canvas);
       this.problem = this.engine.open(`#${this.canvas.id}`);
-      this.canvas.addEventListener("webglcontextlost", ({ target }) => {
-        target.remove(); // a browser has a few contexts, and takes away the oldest
-        this.problem = "lost";
-      });
+      // A browser has few contexts, and takes away the oldest: the next picture opens another.
+      this.canvas.addEventListener("webglcontextlost", () => (this.problem = "lost"));
     }
 
     /** What plays is drawn by itself. */
