@@ -3,6 +3,7 @@
 #include "pushback/chapters/01_velocity_constraint/solver.h"
 #include "pushback/common/experiment/experiment.h"
 #include "pushback/common/experiment/marks.h"
+#include "pushback/common/experiment/row_by_row.h"
 
 using namespace pushback;
 using namespace pushback::velocity_constraint_scenes;
@@ -142,5 +143,9 @@ int main(int argc, char** argv) {
     e.variant("n with x mirrored", Solver<MirroredNormals>{}).expect("way up the slope", slid);
     e.series("way up the slope", "m", [cube](const World& world) { return cube.way_up(world); });
     e.number("way up the slope", "m", [](const Run& run) { return run.series.at("way up the slope").back(); });
+
+    e.rows("J V = 0", [h = e.dt()] {
+      return row_by_row(on_two_corners(3, Vec3::Constant(Real(0.5)), 1, {0, -1, 0}), Solver<>{}, h, 8);
+    });
   });
 }

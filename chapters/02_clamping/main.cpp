@@ -4,6 +4,7 @@
 #include "pushback/chapters/02_clamping/scenes.h"
 #include "pushback/common/experiment/experiment.h"
 #include "pushback/common/experiment/marks.h"
+#include "pushback/common/experiment/row_by_row.h"
 
 using namespace pushback;
 using namespace pushback::clamping_scenes;
@@ -100,6 +101,13 @@ int main(int argc, char** argv) {
     three_ways(50);
     e.series("out of line", "mm", out_of_line);
     e.number("out of line after 2 s", "mm", [](const Run& run) { return out_of_line(run.world); });
+
+    // The column of the page's table, with m = 1 kg and v = 1 m/s.
+    const auto by_hand = [&e](const auto& solver) {
+      return row_by_row(on_two_corners(1, {Real(0.25), Real(0.75), Real(0.25)}, 1, {0, -1, 0}), solver, e.dt(), 8);
+    };
+    e.rows("their sum ≥ 0", [=] { return by_hand(Solver<Clamping>{}); });
+    e.rows("each correction ≥ 0", [=] { return by_hand(Solver<ClampingEachCorrection>{}); });
 
     e.study([&e, &landing] {
       e.panel({.title = "the landing step: distance from the exact velocities",

@@ -2,6 +2,7 @@
 #include "pushback/chapters/06_friction/scenes.h"
 #include "pushback/common/experiment/experiment.h"
 #include "pushback/common/experiment/marks.h"
+#include "pushback/common/experiment/row_by_row.h"
 
 using namespace pushback;
 using namespace pushback::friction_scenes;
@@ -165,6 +166,11 @@ int main(int argc, char** argv) {
     e.number("speed at the end", "m/s", [](const Run& run) { return run.world.bodies[1].velocity.x(); });
     e.number("v − ω r", "m/s", [](const Run& run) {
       return run.world.bodies[1].velocity.x() + run.world.bodies[1].angular_velocity.z() * Real(0.3);
+    });
+
+    // Three boxes that land while they slide, in one step.
+    e.rows("bounded by μ Σλₙ", [h] {
+      return row_by_row(on_two_corners(3, Vec3::Constant(Real(0.5)), 1, {1, -1, 0}, Real(0.5)), After{}, h, 8);
     });
 
     e.study([&e, push, stop, h] {

@@ -1,6 +1,7 @@
 #include "pushback/chapters/07_warm_start/study.h"
 #include "pushback/common/experiment/experiment.h"
 #include "pushback/common/experiment/marks.h"
+#include "pushback/common/experiment/row_by_row.h"
 
 using namespace pushback;
 using namespace pushback::warm_start_scenes;
@@ -96,6 +97,19 @@ std::function<void(World&)> begun_in_each_other(int boxes, Real depth) {
     for (Body& body : world.bodies)
       if (body.movable()) body.position.y() -= depth;
   };
+}
+
+/// A stack in the last of some steps, in all of which it stands still, before that step is solved.
+World at_rest(int boxes, Real dt, int steps) {
+  World world = on_two_corners(boxes, Vec3::Constant(Real(0.5)), 100, Vec3::Zero());
+  for (int step = 0; step < steps; ++step) {
+    if (step > 0) FullSolver{}.solve(world, dt, 10);
+    world.contacts_before = world.contacts;
+    world.dt_before = dt;
+    for (Body& body : world.bodies)
+      if (body.movable()) body.velocity += dt * world.gravity;
+  }
+  return world;
 }
 
 template <class ContactSolver>
@@ -197,6 +211,10 @@ int main(int argc, char** argv) {
            .camera = of_stack,
            .pictures = false});
     e.variant("warm", FullSolver{}).coloured(1);
+
+    const auto tenth_step = [&e](const auto& solver) { return row_by_row(at_rest(3, e.dt(), 10), solver, e.dt(), 8); };
+    e.rows("cold", [=] { return tenth_step(Cold{}); });
+    e.rows("warm", [=] { return tenth_step(FullSolver{}); });
 
     e.study([&, tall] {
       const auto study_of = [&](const std::string& name, const auto& solver, std::size_t colour) {

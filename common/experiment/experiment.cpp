@@ -9,6 +9,7 @@
 
 #include "pushback/common/basics/input.h"
 #include "pushback/common/experiment/iterated_problem.h"
+#include "pushback/common/experiment/row_by_row.h"
 #include "pushback/common/experiment/words.h"
 
 namespace pushback {
@@ -159,6 +160,10 @@ void Experiment::iterations(const std::string& of, std::function<IteratedProblem
   problems_.push_back({of, std::move(make)});
 }
 
+void Experiment::rows(const std::string& of, std::function<RowByRow()> make) {
+  rows_.push_back({of, std::move(make)});
+}
+
 void Experiment::panel(Panel panel) {
   own_panels_.push_back(std::move(panel));
 }
@@ -174,6 +179,7 @@ void Experiment::describe(const std::function<void()>& define, const AnySolver* 
   variants_.clear();
   studies_.clear();
   problems_.clear();
+  rows_.clear();
   define();
   if (one_more) add_to_all_scenes("mine", *one_more);
   refuse_twins();

@@ -35,6 +35,7 @@
 namespace pushback {
 
 struct IteratedProblem;
+struct RowByRow;
 struct Sheet;
 
 /// Quantities measured in the world after every step.
@@ -152,6 +153,8 @@ class Experiment {
   void panel(Panel panel);
   /// Adds the problem of a step, which an interactive page solves iteration by iteration (iterated_problem.h) and makes on demand.
   void iterations(const std::string& of, std::function<IteratedProblem()> make);
+  /// Adds a step, which an interactive page solves row by row (row_by_row.h) and makes on demand.
+  void rows(const std::string& of, std::function<RowByRow()> make);
   /// Adds a finding that concerns no single variant. It is printed below the tables of numbers.
   void remark(std::string sentence);
 
@@ -183,9 +186,10 @@ class Experiment {
     std::string flag, what;
     SceneCommand act;
   };
-  struct NamedProblem {
+  template <class Made>
+  struct Named {
     std::string name;
-    std::function<IteratedProblem()> make;
+    std::function<Made()> make;
   };
   struct Result;
   class Output;
@@ -229,7 +233,8 @@ class Experiment {
   std::vector<Panel> own_panels_;
   std::vector<std::string> remarks_;
   std::vector<std::function<void()>> studies_;
-  std::vector<NamedProblem> problems_;
+  std::vector<Named<IteratedProblem>> problems_;
+  std::vector<Named<RowByRow>> rows_;
 
   std::string out_ = "renders", size_ = "640x360";
   int width_ = 0, height_ = 0;

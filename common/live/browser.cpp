@@ -21,6 +21,7 @@ Legend marks_seen;
 std::string words_out;
 std::vector<Real> numbers_out;
 std::vector<int> cells_out;
+RowByRow row_by_row_out;
 
 const char* answered(std::string text) {
   words_out = std::move(text);
@@ -177,6 +178,15 @@ EMSCRIPTEN_KEEPALIVE const double* live_residuals(int method) {
 /// N s, one per row.
 EMSCRIPTEN_KEEPALIVE const double* live_impulses(int method) {
   return live->iterated().impulses(static_cast<std::size_t>(method)).data();
+}
+
+/// Makes a step of the description, by index, and returns its states. live_draw_rows draws one of them.
+EMSCRIPTEN_KEEPALIVE const char* live_rows(int step) {
+  row_by_row_out = live->rows(static_cast<std::size_t>(step));
+  return answered(row_by_row_out.in_json());
+}
+EMSCRIPTEN_KEEPALIVE void live_draw_rows(int state, int width, int height) {
+  on_canvas->draw(row_by_row_out.picture(static_cast<std::size_t>(state), looking), {0, 0, width, height}, false);
 }
 
 EMSCRIPTEN_KEEPALIVE const char* live_mishap(int track) {

@@ -34,6 +34,7 @@ std::string array_of(const List& list, const Each& each) {
 }  // namespace
 
 std::string Live::description() const {
+  const auto name_of = [](const auto& one) { return pushback::quoted(one.name); };
   const auto in_full = [this](const Variant& variant) {
     const auto colour = static_cast<std::size_t>(variant.colour);
     return fmt::format(
@@ -78,11 +79,9 @@ std::string Live::description() const {
                  }),
         array_of(variants_of(a), [&](const Variant* variant) { return in_full(*variant); })));
   }
-  return fmt::format(
-      R"({{"name": {}, "dt": {}, "problems": {}, "scenes": [{}]}})", pushback::quoted(experiment_.name_),
-      experiment_.dt_,
-      array_of(experiment_.problems_, [](const auto& problem) { return pushback::quoted(problem.name); }),
-      fmt::join(scenes, ",\n"));
+  return fmt::format(R"({{"name": {}, "dt": {}, "problems": {}, "rows": {}, "scenes": [{}]}})",
+                     pushback::quoted(experiment_.name_), experiment_.dt_, array_of(experiment_.problems_, name_of),
+                     array_of(experiment_.rows_, name_of), fmt::join(scenes, ",\n"));
 }
 
 std::string Live::problem() const {

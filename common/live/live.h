@@ -9,6 +9,7 @@
 
 #include "pushback/common/experiment/experiment.h"
 #include "pushback/common/experiment/legend.h"
+#include "pushback/common/experiment/row_by_row.h"
 #include "pushback/common/live/hand.h"
 #include "pushback/common/live/iterated.h"
 #include "pushback/common/live/lit.h"
@@ -81,6 +82,9 @@ class Live {
   const Iterated& iterated() const { return iterated_.value(); }
   /// Its rows, blocks, measure and methods, as JSON.
   std::string problem() const;
+
+  /// A step that is solved row by row, by index. Throws std::out_of_range if there is no such step.
+  RowByRow rows(std::size_t step) const { return experiment_.rows_.at(step).make(); }
 
   // ---- results and pictures ------------------------------------------------------------------------------------------
 

@@ -250,3 +250,57 @@ TEST_CASE("a problem is solved to and fro in the same bits, and a method that ha
   iterated.go_to(-1);
   CHECK(iterated.now() == 0);
 }
+
+namespace {
+
+/// What the solver does with a step, and what is left of it row by row after each sweep.
+template <class ContactSolver>
+void check_row_by_row(const World& world, const ContactSolver& solver) {
+  constexpr int sweeps = 4;
+  const RowByRow all = row_by_row(world, solver, Real(1) / 60, sweeps);
+  REQUIRE((all.states.size() - 1) % sweeps == 0);
+  const std::size_t a_sweep = (all.states.size() - 1) / sweeps;
+  for (std::size_t count = 0; count <= sweeps; ++count) {
+    World solved = world;
+    ContactSolver(solver).solve(solved, Real(1) / 60, static_cast<int>(count));
+    const RowByRow::State& state = all.states[count * a_sweep];
+    CHECK(hash_of(state.world) == hash_of(solved));
+    for (std::size_t i = 0; i < solved.contacts.size(); ++i)
+      CHECK(state.world.contacts[i].impulse == solved.contacts[i].impulse);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a step that is solved row by row has the solver's own bits after each sweep") {
+  World landing;
+  stack(landing, 3, Real(-0.001));
+  for (Body& body : landing.bodies)
+    if (body.movable()) body.moving({1, -1, Real(0.5)});
+  FullSolver full;
+  landing.step(full, Real(1) / 60);
+  landing.begin_step(Real(1) / 60);
+  REQUIRE(landing.contacts.size() > 8);
+  REQUIRE(landing.contacts[0].friction > 0);
+  REQUIRE(landing.contacts_before.size() == 12);
+  check_row_by_row(landing, full);
+  check_row_by_row(landing, Solver<>{});
+  check_row_by_row(landing, Solver<ClampingEachCorrection>{});
+  check_row_by_row(on_two_corners(3, {1, 1, 1}, 1, {0, -1, 0}), Solver<Clamping>{});
+}
+
+TEST_CASE("solved row by row, a column that lands on two corners has the sums of chapter 02's table") {
+  const auto sums = [](const auto& solver, std::size_t state) {
+    const World world = on_two_corners(1, {Real(0.25), Real(0.75), Real(0.25)}, 1, {0, -1, 0});
+    const RowByRow::State at = row_by_row(world, solver, Real(1) / 60, 2).states.at(state);
+    return std::array{at.rows[0].impulse, at.rows[1].impulse, at.rows[0].speed, at.rows[1].speed};
+  };
+  const auto near = [](const std::array<Real, 4>& is, const std::array<Real, 4>& should) {
+    for (std::size_t i = 0; i < 4; ++i) CHECK(std::abs(is[i] - should[i]) < 0.0006);
+  };
+  near(sums(Solver<Clamping>{}, 1), {0.769, 0, 0, -0.462});
+  near(sums(Solver<Clamping>{}, 2), {0.769, 0.355, 0.249, 0});
+  near(sums(Solver<Clamping>{}, 3), {0.578, 0.355, 0, -0.134});
+  near(sums(Solver<Clamping>{}, 4), {0.578, 0.458, 0.072, 0});
+  near(sums(Solver<ClampingEachCorrection>{}, 4), {0.769, 0.355, 0.249, 0});
+}

@@ -4,7 +4,7 @@ import katex from "katex";
 import MarkdownIt from "markdown-it";
 import mathSyntax from "@vscode/markdown-it-katex";
 import { linkCases } from "./cases.js";
-import { challengeLinks, settingSentences, smallPictures, wallOfClips } from "./marks.js";
+import { challengeLinks, rowFigures, settingSentences, smallPictures, wallOfClips } from "./marks.js";
 import { escaped, highlighted } from "./sources.js";
 
 const math = ["math_inline", "math_inline_block", "math_inline_bare_block", "math_block"];
@@ -48,6 +48,7 @@ function readPage({ tokens, env: page }) {
   linkCases(tokens, page);
   smallPictures(tokens, page);
   wallOfClips(tokens, page);
+  rowFigures(tokens, page);
   settingSentences(tokens, page);
   challengeLinks(tokens, page);
   for (const token of tokens) if (token.type === "inline") keepTogether(token.children);

@@ -3,6 +3,10 @@
 ///
 ///   <!-- live: scene="gravity" values="beta=1" slider="beta" from="0" to="1.5" seconds="0.4" number="highest jump" says="631 mm" -->
 ///
+/// a step of its experiment, which a reader solves row by row, by the names of its solvers:
+///
+///   <!-- rows: of="cold|warm" words="A stack at rest, one contact for each click" -->
+///
 /// around words, a link that sets the page's experiment; `at`: s, the instant that it shows, otherwise it is played from its start:
 ///
 ///   the sum <!-- set: scene="strobe" variants="bounce + push-out" at="1.3" number="apex 1" says="1.4 m" -->sends it to 1.4 m<!-- /set -->
@@ -122,6 +126,26 @@ export function clipOf(asked, engine, kind = "live") {
     aspect: number("aspect", scene.strobe ? 1.6 : Math.min(2, Math.max(1, scene.aspect))),
     zoom: number("zoom", 1),
   };
+}
+
+/// In the place of each mark a step that is solved row by row.
+export function rowFigures(tokens, page) {
+  for (const token of tokens) {
+    const asked = token.type === "html_block" && markIn(token.content, "rows");
+    if (!asked) continue;
+    const steps = lookedUp(page, token.map[0] + 1, ({ description }) => stepsOf(asked, description.rows));
+    const data = steps && escaped(JSON.stringify(steps));
+    token.content = steps
+      ? `<figure class="small-live rows" data-chapter="${page.live}" data-root="${page.root}" data-rows="${data}">` +
+        `<figcaption>${escaped(asked.words)}</figcaption></figure>\n`
+      : "";
+  }
+}
+
+/// Throws with what does not exist.
+export function stepsOf(asked, all) {
+  const named = all.map((name, step) => ({ name, step }));
+  return asked.of.split("|").map((name) => named[find(named, "name", name, "step")]);
 }
 
 /// Puts the picture of each mark before what stands above it.

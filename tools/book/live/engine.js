@@ -212,6 +212,14 @@
       return this.numbers(this.module._live_impulses(method), this.problem.rows);
     }
 
+    /** One of the description's steps, row by row: its states. drawRows draws one of them. */
+    rows(step) {
+      return JSON.parse(this.text(this.module._live_rows(step)));
+    }
+    drawRows(state, width, height) {
+      this.module._live_draw_rows(state, width, height);
+    }
+
     // ---- picture and hand
     open(selector) {
       return this.told(selector, (text) => this.module._live_open(text));

@@ -7,6 +7,16 @@
   const slice = 10; // ms of a frame for steps: what takes longer is played slower
   const rest = 0.7; // s at the end of a clip that begins again
 
+  /** Gives canvases the size that the first has on the page: width and height in pixels, and how many there are to a CSS pixel. */
+  live.sized = function (canvases) {
+    const scale = Math.min(2, Math.max(1, window.devicePixelRatio || 1)),
+      [{ clientWidth, clientHeight }] = canvases;
+    const [width, height] = [clientWidth, clientHeight].map((pixels) => Math.round(scale * pixels));
+    for (const one of width && height ? canvases : [])
+      if (one.width !== width || one.height !== height) Object.assign(one, { width, height });
+    return [width, height, scale];
+  };
+
   class Workshop {
     constructor(engine) {
       this.engine = engine;
@@ -182,15 +192,11 @@
     }
     draw() {
       const { engine, workshop, canvas } = this;
-      const scale = Math.min(2, Math.max(1, window.devicePixelRatio || 1)),
-        width = Math.round(scale * canvas.clientWidth),
-        height = Math.round(scale * canvas.clientHeight);
-      if (!width || !height) return;
       if (workshop.problem) workshop.open();
       if (workshop.problem) return;
+      const [width, height, scale] = live.sized([canvas, workshop.canvas]);
+      if (!width || !height) return;
       this.take();
-      for (const one of [canvas, workshop.canvas])
-        if (one.width !== width || one.height !== height) Object.assign(one, { width, height });
       const { scene } = engine,
         { lanes } = this;
       const shown = (scene.contacts ? 1 : 0) | (scene.impulses ? 2 : 0) | 4 | live.lit();
@@ -226,7 +232,8 @@
     try {
       const { chapter, root } = figures[0].dataset;
       const workshop = new Workshop(await live.Engine.load(chapter, root));
-      if (!workshop.problem) return figures.map((figure) => new live.Small(figure, workshop));
+      if (!workshop.problem)
+        return figures.map((figure) => new (figure.dataset.rows ? live.Rows : live.Small)(figure, workshop));
     } catch (problem) {
       console.error(problem);
     }
