@@ -6,8 +6,10 @@
 #include <fmt/ranges.h>
 
 #include <chrono>
+#include <cmath>
 
 #include "pushback/common/basics/files.h"
+#include "pushback/common/experiment/marks.h"
 #include "pushback/common/live/canvas_view.h"
 #include "pushback/common/live/live.h"
 
@@ -22,6 +24,7 @@ std::string words_out;
 std::vector<Real> numbers_out;
 std::vector<int> cells_out;
 RowByRow row_by_row_out;
+std::vector<std::pair<Vec3, Colour>> guesses;
 
 const char* answered(std::string text) {
   words_out = std::move(text);
@@ -132,6 +135,17 @@ EMSCRIPTEN_KEEPALIVE const double* live_shift() {
   const Vec3 shift = live->shift();
   numbers_out.assign({shift.x(), shift.y(), shift.z()});
   return numbers_out.data();
+}
+
+/// The distance (m) along an axis at which the first movable body is nearest to a point of the picture; see Live::way_to.
+EMSCRIPTEN_KEEPALIVE double live_way(double x, double y, double z, double aspect, double right, double up) {
+  return live->way_to({x, y, z}, looking, aspect, right, up);
+}
+/// From now on pictures show the first movable body, outlined, at these distances (m) along an axis. A NaN shows none.
+EMSCRIPTEN_KEEPALIVE void live_guess(double x, double y, double z, double guess, double truth) {
+  guesses.clear();
+  for (const auto& [way, colour] : {std::pair{guess, near_black_colour()}, std::pair{truth, normal_arrow_colour()}})
+    if (!std::isnan(way)) guesses.emplace_back(way * Vec3(x, y, z), colour);
 }
 
 /// Begins a problem of the description, by index.
@@ -253,9 +267,9 @@ EMSCRIPTEN_KEEPALIVE void live_begin() {
 /// `shown`: 1 points, 2 impulses, 4 marks, 8 coarse drawing; 16, 32, 48: what is lit.
 EMSCRIPTEN_KEEPALIVE const char* live_draw(int track, int shown, int x, int y, int width, int height) {
   return problem_of([&] {
-    const Picture picture =
-        live->picture(static_cast<std::size_t>(track), looking,
-                      {(shown & 1) != 0, (shown & 2) != 0, (shown & 4) != 0, static_cast<Lit>(shown >> 4)});
+    Picture picture = live->picture(static_cast<std::size_t>(track), looking,
+                                    {(shown & 1) != 0, (shown & 2) != 0, (shown & 4) != 0, static_cast<Lit>(shown >> 4)});
+    for (const auto& [way, colour] : guesses) add_outline(picture, live->displaced(way), colour);
     marks_seen.see(picture);
     on_canvas->draw(picture, {x, y, width, height}, (shown & 8) != 0);
   });

@@ -243,6 +243,20 @@ void Live::pull_to(const Camera& camera, Real aspect, Real x, Real y) {
   held_->hand = towards.origin + depth / towards.direction.dot(ahead) * towards.direction;
 }
 
+Body Live::displaced(const Vec3& way) const {
+  const std::vector<Body>& bodies = tracks_[0].start().bodies;
+  Body first = *std::find_if(bodies.begin(), bodies.end(), [](const Body& body) { return body.movable(); });
+  first.position += way + shift();
+  return first;
+}
+
+Real Live::way_to(const Vec3& axis, const Camera& camera, Real aspect, Real x, Real y) const {
+  const Ray seen = ray(camera, aspect, x, y);
+  const Vec3 ahead = seen.direction.normalized(), from = seen.origin + shift() - displaced(Vec3::Zero()).position;
+  const Real aligned = axis.dot(ahead);
+  return (axis.dot(from) - aligned * ahead.dot(from)) / (1 - aligned * aligned);
+}
+
 void Live::let_go() {
   held_.reset();
 }

@@ -73,6 +73,13 @@ class Live {
   void let_go();
   const std::optional<Grab>& held() const { return held_; }
 
+  // ---- a guess --------------------------------------------------------------------------------------------------------
+
+  /// The first movable body of the first track where it began, displaced by `way` m. It moves with the pictures of a strobe scene.
+  Body displaced(const Vec3& way) const;
+  /// The distance (m) from its start along the unit vector `axis` at which that body is nearest to (x, y) of the picture.
+  Real way_to(const Vec3& axis, const Camera& camera, Real aspect, Real x, Real y) const;
+
   // ---- a problem ------------------------------------------------------------------------------------------------------
 
   /// Begins a problem of the experiment, by index. `set` discards it. Throws InvalidInput if there is no such problem.

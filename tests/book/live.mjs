@@ -5,7 +5,7 @@ import fs from "node:fs";
 import path from "node:path";
 import { after, before, test } from "node:test";
 import { home } from "../../tools/book/experiments.js";
-import { challengeOf, challengesIn, clipOf, stateOf } from "../../tools/book/marks.js";
+import { challengeOf, challengesIn, clipOf, stateOf, stepsOf } from "../../tools/book/marks.js";
 import {
   address,
   bits,
@@ -376,6 +376,8 @@ test("marks that ask for what does not exist are refused", async () => {
   refused({ slider: "nosuch" }, /there is no parameter/);
   refused({ number: "nosuch" }, /there is no number nosuch/);
   refused({ colour: "red" }, /nothing is called colour/);
+  refused({ number: "highest jump", guess: "0 up 0", within: "1" }, /up is no number/);
+  assert.throws(() => stepsOf({ of: "cold|hot" }, ["cold", "warm"]), /there is no step hot; there are cold, warm/);
   engine.set("");
   assert.throws(() => stateOf({ scene: "gravity", at: "99" }, engine), /99 s is not within the scene's/);
 });

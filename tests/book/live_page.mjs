@@ -110,7 +110,8 @@ for (const chapter of chapters) {
     };
     for (const [, before, html] of text.matchAll(/(?<=\n\n)((?:[^\n]+\n)+?)(<!-- live: .*?-->)/g)) {
       const clip = clipOf(markIn(html, "live"), engine);
-      const { slider, says } = clip;
+      const { says } = clip,
+        slider = clip.guess ? null : clip.slider;
       const steps = Math.round(clip.seconds / engine.dt);
       const own = (value) =>
         played({ ...clip, which: clip.number?.which ?? -1, steps }, slider && `${slider.flag}=${value}`);

@@ -1,4 +1,4 @@
-/// The figures of a page that a reader works by clicks and drags: a step that is solved row by row.
+/// Figures that a reader works: a step that is solved row by row, and a guess that is dragged into a small picture.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { address, launch, newPage } from "./support/browser.mjs";
@@ -61,4 +61,52 @@ test("row by row, a bound of friction grows with its normal impulse, and a warm 
   assert.deepEqual(await standing.labels(), [24.5, 24.5, 16.3, 16.3, 8.17, 8.17].map(load));
   assert.deepEqual(standing.page.wrong, []);
   await standing.page.close();
+});
+
+test("a guess is dragged or set by keys; played, it is right or wrong in numbers; another picture has no outline", async () => {
+  const page = await newPage(browser);
+  await page.goto(address("chapters/03_baumgarte/index.html"));
+  const figure = page.locator("figure.small-live", { hasText: "Drag the box" });
+  await figure.scrollIntoViewIfNeeded();
+  const slider = figure.getByRole("slider", { name: "your guess" }),
+    play = figure.getByRole("button");
+  await page.waitForFunction((input) => !input.disabled, await slider.elementHandle());
+  const told = () => figure.locator("figcaption output").textContent();
+  const verdict = async () => {
+    await play.click();
+    await page.waitForFunction(
+      (one) => one.querySelector("figcaption output").textContent,
+      await figure.elementHandle(),
+    );
+    return told();
+  };
+  const box = await figure.locator("canvas").boundingBox();
+  const to = (height) => [box.x + box.width / 2, box.y + height * box.height];
+  await page.mouse.move(...to(0.75));
+  await page.mouse.down();
+  await page.mouse.move(...to(0.2), { steps: 4 });
+  const dragged = Number(await slider.getAttribute("aria-valuetext").then(parseFloat));
+  assert.ok(dragged > 700 && dragged <= 1000, `dragged to ${dragged} mm`);
+  await page.mouse.up();
+  await page.mouse.move(...to(0.5));
+  assert.equal(parseFloat(await slider.getAttribute("aria-valuetext")), dragged, "let go, it stays");
+  assert.equal(await verdict(), `You: ${dragged} mm. It is 631 mm. ✗ Too high.`);
+  await slider.focus();
+  await page.keyboard.press("Home");
+  assert.equal(await told(), "");
+  for (let i = 0; i < 66; ++i) await page.keyboard.press("ArrowRight");
+  assert.equal(await verdict(), "You: 600 mm. It is 631 mm. ✓ Right.");
+  const another = async (opened) => {
+    const next = opened.locator("figure.small-live").nth(1);
+    await next.scrollIntoViewIfNeeded();
+    await opened.waitForFunction((input) => !input.disabled, await next.getByRole("slider").elementHandle());
+    await next.getByRole("slider").fill("1");
+    return next.locator("canvas").evaluate((canvas) => canvas.toDataURL());
+  };
+  const fresh = await newPage(browser);
+  await fresh.goto(address("chapters/03_baumgarte/index.html"));
+  assert.equal(await another(page), await another(fresh), "its outlines stay in its picture");
+  await fresh.close();
+  assert.deepEqual(page.wrong, []);
+  await page.close();
 });

@@ -24,6 +24,8 @@
 ///   variants  their names, with | between them; a picture has two at most, the first where there is none
 ///   values    of parameters, apart from their defaults: "beta=1 dt=1/240"
 ///   number    one of the scene's numbers; `says`: what the sentence says it is, which a test compares
+///   guess     the direction, in world axes, in which a reader drags the first body that moves to the `number` at the clip's end. He
+///             drags between `from` and `to`, `zero` is the number where the body begins, and a guess `within` so much is right
 ///   slider    the parameter that a reader sets, as `label` calls it; `from`, `to`, `step` where its own range is not meant
 ///   seconds   how long the clip is, of simulated time; `slow`: how many times slower it is shown; `words`: its caption
 ///   asks      what numbers have to be at the end, with | between them: <=, >= or = with a value (± another) and its unit
@@ -32,7 +34,7 @@
 import { escaped } from "./sources.js";
 
 const known = {
-  live: "scene variants values slider label from to step seconds slow number says words aspect zoom",
+  live: "scene variants values slider label from to step seconds slow number says words aspect zoom guess zero within",
   clip: "chapter scene variants values seconds slow zoom words",
   set: "scene variants values at number says",
   challenge: "key chapter scene variant variants values set asks score best unit ours scored",
@@ -103,8 +105,20 @@ export function clipOf(asked, engine, kind = "live") {
   const { scene, index, names, places, which, own, assignments, says } = chosenBy(asked, kind, engine);
   const number = (name, usual) => (asked[name] === undefined ? usual : valueOf(asked[name]));
   let slider = null;
-  if (asked.slider !== undefined) {
-    const { flag, what, symbol, unit, whole, least, most, default: usual } = parameterOf(engine, asked.slider);
+  const zero = number("zero", 0);
+  const guess = asked.guess && { axis: asked.guess.split(" ").map(valueOf), zero, within: valueOf(asked.within) };
+  if (guess || asked.slider !== undefined) {
+    const guessed = { what: "your guess", least: -Infinity, most: Infinity, default: [zero], ...scene.numbers[which] };
+    const {
+      flag,
+      what,
+      symbol,
+      unit,
+      whole,
+      least,
+      most,
+      default: usual,
+    } = guess ? guessed : parameterOf(engine, asked.slider);
     const value = own[flag] ?? usual[0];
     const [from, to] = [number("from", least), number("to", most)];
     const step = number("step", whole ? 1 : (to - from) / 100);
@@ -114,6 +128,7 @@ export function clipOf(asked, engine, kind = "live") {
   }
   return {
     scene: index,
+    guess,
     places,
     assignments,
     slider,

@@ -243,6 +243,14 @@
     pull(aspect, x, y) {
       this.module._live_pull(aspect, x, y);
     }
+    /** m, along a guess's axis, at which its body is under a point of the picture. */
+    way({ axis }, aspect, x, y) {
+      return this.module._live_way(...axis, aspect, x, y);
+    }
+    /** Outlines of a guess's body there, m; NaN: none. */
+    outline({ axis }, guess, truth) {
+      this.module._live_guess(...axis, guess, truth);
+    }
     letGo() {
       this.module._live_let_go();
     }

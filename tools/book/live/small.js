@@ -65,7 +65,8 @@
       this.number = figure.querySelector("figcaption output");
       this.time = this.mended && live.stillness() ? this.clip.seconds : 0; // s, of the clip
       this.drawn = null; // the step that is seen
-      this.begun = false;
+      this.guess = this.clip.guess && new live.Guess(this);
+      this.begun = Boolean(this.guess);
       this.inSight = false;
       this.button.addEventListener("click", () => (this.playing ? this.pause() : this.play()));
       this.slider?.addEventListener("input", () => this.slide());
@@ -131,7 +132,7 @@
     }
     set() {
       const { slider, assignments } = this.clip;
-      const own = slider ? [`${slider.flag}=${this.chosen}`] : [];
+      const own = slider?.flag ? [`${slider.flag}=${this.chosen}`] : [];
       const problem = this.engine.set([assignments, ...own].filter(Boolean).join(";"));
       if (problem) throw new Error(problem);
     }
@@ -155,6 +156,7 @@
     }
     /** With the new value at the same instant; at the end of the clip where it has not begun yet. */
     slide() {
+      if (this.guess) this.guess.placed();
       if (!this.begun) this.time = this.clip.seconds;
       this.begun = true;
       this.say();
@@ -199,8 +201,11 @@
       this.take();
       const { scene } = engine,
         { lanes } = this;
-      const shown = (scene.contacts ? 1 : 0) | (scene.impulses ? 2 : 0) | 4 | live.lit();
+      const guessing = this.guess && engine.now < this.steps;
+      const shown = (scene.contacts ? 1 : 0) | (scene.impulses ? 2 : 0) | (guessing ? 0 : 4) | live.lit();
       engine.look(this.camera(width / lanes.length / height));
+      const said = this.number && (this.guess ? this.guess.verdict() : this.numbers());
+      engine.outline(this.guess ?? live.Guess.none, ...(this.guess?.ways ?? [NaN, NaN]));
       engine.begin();
       lanes.forEach(({ lane }, at) => {
         const from = Math.round((at * width) / lanes.length),
@@ -211,7 +216,7 @@
       for (let lane = 1; lane < lanes.length; ++lane)
         this.pen.clearRect(Math.round((lane * width) / lanes.length) - scale, 0, 2 * scale, height);
       this.drawn = engine.now;
-      if (this.number) this.number.textContent = this.numbers();
+      if (this.number) this.number.textContent = said;
       // What takes more than a frame comes as fast as it can.
       if (!this.playing && engine.now !== this.step) requestAnimationFrame(() => this.draw());
     }
@@ -223,7 +228,12 @@
     }
     camera(aspect) {
       const { eye, target, field_of_view } = live.cameraOf(this.engine, aspect, true);
-      return { eye, target, fieldOfView: 2 * Math.atan(Math.tan(field_of_view / 2) / this.clip.zoom) };
+      const raised = ([x, y, z]) => [x, y + (this.guess?.middle ?? 0), z];
+      return {
+        eye: raised(eye),
+        target: raised(target),
+        fieldOfView: 2 * Math.atan(Math.tan(field_of_view / 2) / this.clip.zoom),
+      };
     }
   };
 
