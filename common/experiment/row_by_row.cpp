@@ -42,10 +42,12 @@ void RowByRow::add(World world, std::vector<Row> rows, int solved) {
 
 namespace {
 
-/// Three digits, and 0 if the value does not matter compared with `scale`.
+/// Three digits, but none below a thousandth of `scale`.
 std::string rounded(Real value, Real scale) {
-  if (std::abs(value) < scale / 2000) return "0";
-  return fmt::format("{}{:.3g}", value < 0 ? "−" : "", std::abs(value));
+  const Real last = std::pow(Real(10), std::floor(std::log10(scale)) - 3);
+  Real size = std::abs(value);
+  if (size < 100 * last) size = last * std::round(size / last);
+  return fmt::format("{}{:.3g}", value < 0 && size > 0 ? "−" : "", size);
 }
 
 Real largest_impulse(const RowByRow& all) {
@@ -93,7 +95,7 @@ std::string sentence_of(const RowByRow& all, std::size_t index) {
   if (rubs && std::abs(change(row - 1)) > std::abs(change(row))) --row;  // of the two tangents
   const std::size_t turns = contacts * (state.rows.size() > contacts ? 2 : 1);
   const Real largest = largest_impulse(all);
-  return fmt::format("Sweep {}: {} goes from {} to {} N s, a correction of {} N s.", (index - 1) / turns + 1,
+  return fmt::format("Sweep {}: {} goes from {} to {} N s, a correction of {} N s.", (index - 1) / turns + 1,
                      rubs ? "friction" : "the impulse", rounded(before[row].impulse, largest),
                      rounded(state.rows[row].impulse, largest), rounded(change(row), largest));
 }

@@ -36,9 +36,9 @@ test("each click solves the next contact: chapter 02's table, where a correction
   await solve(1);
   assert.deepEqual(await labels(), ["Σλ 0.769 N s\n↑ 0.249 m/s", "Σλ 0.355 N s\n0 m/s"]);
   await solve(1);
-  assert.equal(await said(), "Sweep 2: the impulse goes from 0.769 to 0.578 N s, a correction of −0.191 N s.");
+  assert.equal(await said(), "Sweep 2: the impulse goes from 0.769 to 0.578 N s, a correction of −0.191 N\u00a0s.");
   await figure.getByRole("radio", { name: "each correction" }).check();
-  assert.equal(await said(), "Sweep 2: the impulse goes from 0.769 to 0.769 N s, a correction of 0 N s.");
+  assert.equal(await said(), "Sweep 2: the impulse goes from 0.769 to 0.769 N s, a correction of 0 N\u00a0s.");
   assert.deepEqual(page.wrong, []);
   await page.close();
 });

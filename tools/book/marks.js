@@ -24,8 +24,8 @@
 ///   variants  their names, with | between them; a picture has two at most, the first where there is none
 ///   values    of parameters, apart from their defaults: "beta=1 dt=1/240"
 ///   number    one of the scene's numbers; `says`: what the sentence says it is, which a test compares
-///   guess     the direction, in world axes, in which a reader drags the first body that moves to the `number` at the clip's end. He
-///             drags between `from` and `to`, `zero` is the number where the body begins, and a guess `within` so much is right
+///   guess     the direction, in world axes, in which a reader drags the first body that moves to the `number` at the clip's end,
+///             between `from` and `to`, `zero` is the number where the body begins, and a guess `within` so much is right
 ///   slider    the parameter that a reader sets, as `label` calls it; `from`, `to`, `step` where its own range is not meant
 ///   seconds   how long the clip is, of simulated time; `slow`: how many times slower it is shown; `words`: its caption
 ///   asks      what numbers have to be at the end, with | between them: <=, >= or = with a value (± another) and its unit

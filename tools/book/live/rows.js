@@ -4,6 +4,7 @@
   const live = (self.PushbackLive = self.PushbackLive || {});
   const { make } = live;
   const away = 40; // m, from the eye to the boxes: nearly without perspective
+  const seen = 1.2; // from the picture's bottom to its top, in heights of what stands there
   const pause = 450; // ms between two contacts, while it plays
 
   live.Rows = class {
@@ -31,13 +32,16 @@
     }
     begin(step, at) {
       Object.assign(this, { step, told: this.engine.rows(step) });
-      this.labels = this.told.points.map(() => make("div"));
-      this.picture.replaceChildren(this.canvas, ...this.labels);
       this.workshop.rows = this;
+      const { points, top } = this.told;
+      this.labels = points.map(() => make("div"));
+      points.forEach(([x, y], contact) => {
+        const { style } = this.labels[contact];
+        style.left = `calc(50% + ${x / top / seen} * var(--rows))`;
+        style.top = `${50 + (50 - (100 * y) / top) / seen}%`;
+      });
+      this.picture.replaceChildren(this.canvas, ...this.labels);
       this.show(at);
-    }
-    get last() {
-      return this.told.states.length - 1;
     }
     go(at) {
       clearTimeout(this.playing);
@@ -45,48 +49,35 @@
       this.show(at);
     }
     run() {
-      this.show(this.at === this.last ? 0 : this.at + 1);
-      this.playing = this.at < this.last ? setTimeout(() => this.run(), pause) : null;
+      const last = this.told.states.length - 1;
+      this.at = this.at === last ? 0 : this.at + 1;
+      this.playing = this.at < last ? setTimeout(() => this.run(), pause) : null;
       this.show(this.at);
     }
-
-    // ---- what is seen
     show(at) {
-      this.at = Math.min(at, this.last);
-      this.next.disabled = this.at === this.last;
+      const { points, states } = this.told;
+      this.at = at;
+      this.next.disabled = at === states.length - 1;
       this.play.textContent = this.playing ? "Pause" : "Play";
-      const { solved, said, labels } = this.told.states[this.at];
-      this.said.textContent = said;
+      this.said.textContent = states[at].said;
       this.labels.forEach((label, contact) => {
-        const side = this.told.points[contact][0] < 0 ? " left" : "";
-        label.className = `rows-label${side}${contact === solved ? " solved" : ""}`;
-        label.replaceChildren(
-          ...labels[contact].map(([className, textContent]) => make("span", { className, textContent })),
-        );
+        const lines = states[at].labels[contact];
+        label.className = `rows-label${points[contact][0] < 0 ? " left" : ""}${contact === states[at].solved ? " solved" : ""}`;
+        label.replaceChildren(...lines.map(([className, textContent]) => make("span", { className, textContent })));
       });
       this.draw();
     }
     draw() {
       const { canvas, engine, workshop } = this,
-        { points, top } = this.told;
+        middle = this.told.top / 2;
       const [width, height] = live.sized([canvas, workshop.canvas]);
       if (!width || !height) return;
       if (workshop.rows !== this) engine.rows(this.step);
       workshop.rows = this;
-      const seen = 1.2 * top; // m, from the picture's bottom to its top
-      engine.look({
-        eye: [0, top / 2 + 2, away],
-        target: [0, top / 2, 0],
-        fieldOfView: 2 * Math.atan(seen / 2 / away),
-      });
+      const fieldOfView = 2 * Math.atan((seen * middle) / away);
+      engine.look({ eye: [0, middle + 2, away], target: [0, middle, 0], fieldOfView });
       engine.drawRows(this.at, width, height);
       canvas.getContext("2d").drawImage(workshop.canvas, 0, 0);
-      this.labels.forEach(({ style }, contact) => {
-        const [x, y] = points[contact],
-          perMetre = canvas.clientHeight / seen;
-        style.left = `${canvas.clientWidth / 2 + x * perMetre}px`;
-        style.top = `${canvas.clientHeight / 2 + (top / 2 - y) * perMetre}px`;
-      });
     }
   };
 })();
