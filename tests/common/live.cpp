@@ -104,6 +104,16 @@ TEST_CASE("what the hand does is played again where one goes back, and forgotten
   CHECK(played.hashes() == untouched);
 }
 
+TEST_CASE("a guess is as far along its axis as the point of the picture under the mouse") {
+  Played played;
+  const Vec3 start = played.live.displaced(Vec3::Zero()).position;
+  CHECK(start == Vec3(0, Real(0.5), 0));
+  CHECK(played.live.displaced({0, 1, 0}).position == Vec3(0, Real(1.5), 0));
+  const Vec3 askew = Vec3(1, 1, 0).normalized();
+  CHECK(std::abs(played.live.way_to(Vec3::UnitY(), from_the_front, 1, 0, 0) - Real(1.5)) < 1e-12);
+  CHECK(std::abs(played.live.way_to(askew, from_the_front, 1, 0, 0) - Real(1.5) / std::sqrt(2)) < 1e-12);
+}
+
 TEST_CASE("a body follows the hand, a heavy one as a light one does") {
   std::vector<Vec3> places;
   for (const Real mass : {Real(1), Real(1000)}) {

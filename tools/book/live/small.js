@@ -156,11 +156,11 @@
     }
     /** With the new value at the same instant; at the end of the clip where it has not begun yet. */
     slide() {
-      if (this.guess) this.guess.placed();
+      this.guess?.placed();
       if (!this.begun) this.time = this.clip.seconds;
       this.begun = true;
       this.say();
-      if (this.workshop.shown === this) this.set();
+      if (this.workshop.shown === this && !this.guess) this.set();
       this.draw();
     }
     frame(now) {
