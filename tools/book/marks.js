@@ -229,7 +229,7 @@ function figure(clip, page, turns = false) {
     : turns
       ? `<label class="mended"><input type="checkbox" aria-label="mended: ${escaped(words)}" disabled> mended</label>`
       : "";
-  const output = clip.number ? '<output aria-live="off"></output>' : "";
+  const output = clip.number ? `<output aria-live="${clip.guess ? "polite" : "off"}"></output>` : "";
   return (
     `<figure class="small-live${turns ? " turns" : ""}" data-chapter="${page.live}" data-root="${page.root}" data-clip="${escaped(JSON.stringify(clip))}">` +
     `<canvas role="img" aria-label="${escaped([words, ...names].join("; "))}" style="aspect-ratio: ${turns ? 1.5 : aspect}"></canvas>` +
