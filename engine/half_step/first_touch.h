@@ -53,8 +53,10 @@ class Flight {
 ///
 ///   d_pq(t + s) >= d_pq + c s + (a - j s / 3) s^2 / 2     c, a: their velocity and acceleration along n now,  j: the most jerk
 ///
-/// and no more than with the acceleration of the bodies and the most that turns may bend, so nothing can touch until the first root of any of these. Advance to it, and repeat (conservative advancement). For balls,
-/// this is Newton's method, from the side on which it never oversteps.
+/// and no more than with the acceleration of the bodies and the most that turns may bend. So nothing can touch until the first root of
+/// any of these. Advance to it, and repeat (conservative advancement). The line may also turn as the bodies do, with v and a as seen
+/// from it. The longest advance of a few such lines counts, so bodies that slide over each other take few rounds. For balls, this is
+/// Newton's method, from the side on which it never oversteps.
 ///   Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, PhD thesis, Berkeley 1996, 2.3, with speeds only.
 /// After 100 rounds, the search ends at a time until which nothing has touched.
 std::optional<Real> first_touch(Flight& a, Flight& b, Real within, Real touching);

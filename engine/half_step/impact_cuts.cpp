@@ -1,6 +1,7 @@
 #include "pushback/engine/half_step/impact_cuts.h"
 
 #include <algorithm>
+#include <map>
 
 #include "pushback/common/basics/input.h"
 #include "pushback/common/world/measure.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double of_corners = 150;  // multiplications for each pair of corners, in each round of first_touch
 constexpr double of_rows = 10;      // multiplications for the cube of their number, in a small problem
+constexpr Real hardly = Real(0.9);  // of the speed of a pair's last impact: with more, the sequence is given up
 constexpr int most_pairs = 1000;    // solved in sequence, before all are at the same time
 
 }  // namespace
@@ -120,15 +122,21 @@ bool ImpactCuts::impact(KickDrift& motion, World& world, Real h, bool& met) {
   if (!met) return true;
   if (world.joints.empty()) find_accelerations(motion, world);
   taken_ += kinetic_energy(world);
-  // Where nothing bounces, a sequence of pairs would not end: each makes another one approach.
+  // Without bounces, a heavy body on a light one takes little from the speed of their next impact, and a sequence would take thousands.
+  std::map<BodyPair, Real> last;  // m/s
   const auto bounces = [&](std::size_t i) {
     const Contact& at = world.contacts[i];
     return at.restitution > 0 && separating_speed(world, at) < -motion.settings.threshold;
   };
-  const auto in_sequence = [&] {
-    return impacts == Impacts::sequential && std::any_of(touching_.begin(), touching_.end(), bounces);
+  const auto lasts = [&](const Contact& at) {
+    const Real speed = separating_speed(world, at);
+    const auto [before, is_new] = last.try_emplace(pair_of(at), speed);
+    const bool hardly_slower = !is_new && speed < hardly * before->second;
+    before->second = speed;
+    return hardly_slower && std::none_of(touching_.begin(), touching_.end(), bounces);
   };
-  for (int round = 0; round < most_pairs && approaches(first) && in_sequence(); ++round) {
+  for (int round = 0; impacts == Impacts::sequential && round < most_pairs && approaches(first); ++round) {
+    if (lasts(world.contacts[*first])) break;
     const BodyPair pair = pair_of(world.contacts[*first]);
     of_pair_.clear();
     for (const std::size_t i : touching_)

@@ -5,8 +5,8 @@
 
 namespace pushback {
 
-/// The way to solve an impact (chapter 09): pair by pair, the fastest first, until no pair bounces, and then all pairs at once, or
-/// all of them at once from the beginning.
+/// The way to solve an impact (chapter 09): pair by pair, the fastest first, until no pair approaches, or all pairs at once. Pair by pair
+/// also ends at once where nothing bounces and a pair comes again hardly slower than before.
 enum class Impacts { sequential, simultaneous };
 
 /// Pairs that are apart fly freely, without constraints:

@@ -135,7 +135,7 @@ TEST_CASE("impact: when two bodies are found to touch they do, and they have not
   constexpr Real within = Real(1) / 30;
   for (const bool hardly_moving : {false, true}) {  // but turning fast, and close to each other
     Random random(hardly_moving ? 30 : 29);
-    int met = 0, given_up = 0;
+    int met = 0;
     for (int i = 0; i < (hardly_moving ? 300 : 600); ++i) {
       CAPTURE(hardly_moving, i);
       auto [a, b] = pair_apart(random);
@@ -154,18 +154,16 @@ TEST_CASE("impact: when two bodies are found to touch they do, and they have not
       Flight of_a(a, a_gains, a_turns, within), of_b(b, b_gains, b_turns, within);
       const auto touch = first_touch(of_a, of_b, within, touching);
       if (touch) {
-        const Real left = std::abs(gap_between(of_a.at(*touch), of_b.at(*touch)).distance);
-        CHECK(left < Real(hardly_moving ? 100 : 2) * touching);
-        given_up += left > 2 * touching;  // after the most rounds
+        CHECK(std::abs(gap_between(of_a.at(*touch), of_b.at(*touch)).distance) < 2 * touching);
       }
       met += touch.has_value();
+      CHECK(of_a.looks() <= 31);
       const Real until = touch.value_or(within);
       for (int k = 0; k < 400; ++k)
         REQUIRE_FALSE(
             overlap(of_a.at(until * static_cast<Real>(k) / 400), of_b.at(until * static_cast<Real>(k) / 400)));
     }
     CHECK(met > (hardly_moving ? 50 : 200));
-    CHECK(given_up <= met / 20);
   }
 }
 

@@ -152,6 +152,55 @@ TEST_CASE("impact: a row of balls, in sequence and at the same time: the two dif
     }
 }
 
+TEST_CASE("impact: where nothing bounces, a row takes on the velocity of its centre of mass at once") {
+  for (const int count : {5, 20})  // few contacts, solved from nothing, and many, by blocks
+    for (const Impacts impacts : {Impacts::sequential, Impacts::simultaneous}) {
+      CAPTURE(count);
+      World world = row_of_balls(count, 0, 0);
+      HalfStep step = at_impacts();
+      step.impacts = impacts;
+      step.fall_back_to_full_solve = false;
+      for (int i = 0; i < 6; ++i) {
+        world.step(step, h);
+        for (const Body& ball : world.bodies)
+          if (i > 0)
+            CHECK(ball.velocity.x() == Approx(Real(5) / static_cast<Real>(count)).epsilon(in_double ? 1e-9 : 1e-3));
+      }
+    }
+}
+
+TEST_CASE("impact: a body of a thousand times the mass lands on another one with little work") {
+  World world;
+  world.add(ground());
+  world.add(box({Real(0.5), Real(0.5), Real(0.5)}, 1).at({0, Real(0.5), 0}));
+  world.add(box({Real(0.5), Real(0.5), Real(0.5)}, 1000).at({0, Real(2.5), 0}));
+  HalfStep step = at_impacts();
+  step.impacts = Impacts::sequential;  // pair by pair this would be thousands of impacts
+  double most = 0;
+  for (int i = 0; i < 60; ++i) {
+    world.step(step, h);
+    most = std::max(most, step.work());
+  }
+  CHECK(world.bodies[2].position.y() == Approx(1.5).margin(1e-4));
+  CHECK(most > 0);
+  CHECK(most < 1e6);
+}
+
+TEST_CASE("impact: what impacts take counts, and a step fails when it is spent") {
+  World world;
+  world.add(ground().bouncy(1));
+  world.add(box({Real(0.5), Real(0.5), Real(0.5)}, 1).at({0, Real(0.5), 0}).bouncy(1));
+  world.add(box({Real(0.5), Real(0.5), Real(0.5)}, 1000).at({0, Real(1.51), 0}).moving({0, -5, 0}).bouncy(1));
+  World same = world;
+  HalfStep step = at_impacts();
+  step.impacts = Impacts::sequential;
+  CHECK(step.try_step(same, h).converged);
+  step.most_work = 1e5;  // the light box hits the others a hundred times
+  const StepOutcome outcome = step.try_step(world, h);
+  CHECK_FALSE(outcome.converged);
+  CHECK(outcome.work < 2e5);
+}
+
 TEST_CASE("impact: balls in a box keep their energy, e = 1, and none gets out") {
   Random random(11);
   World world;
