@@ -267,8 +267,9 @@ EMSCRIPTEN_KEEPALIVE void live_begin() {
 /// `shown`: 1 points, 2 impulses, 4 marks, 8 coarse drawing; 16, 32, 48: what is lit.
 EMSCRIPTEN_KEEPALIVE const char* live_draw(int track, int shown, int x, int y, int width, int height) {
   return problem_of([&] {
-    Picture picture = live->picture(static_cast<std::size_t>(track), looking,
-                                    {(shown & 1) != 0, (shown & 2) != 0, (shown & 4) != 0, static_cast<Lit>(shown >> 4)});
+    Picture picture =
+        live->picture(static_cast<std::size_t>(track), looking,
+                      {(shown & 1) != 0, (shown & 2) != 0, (shown & 4) != 0, static_cast<Lit>(shown >> 4)});
     for (const auto& [way, colour] : guesses) add_outline(picture, live->displaced(way), colour);
     marks_seen.see(picture);
     on_canvas->draw(picture, {x, y, width, height}, (shown & 8) != 0);

@@ -58,6 +58,7 @@ void IslandSolver::whole_step(World& world, Real dt, int sweeps) {
   contacts_.find(world, plan, dt);
   memory_.resize(world.bodies.size());
   for (IslandMemory& memory : memory_) memory.waits = std::max(0, memory.waits - 1);
+  spent_.assign(world.bodies.size(), 0);
   call_by_call_ = false;
   solved_ = {};
   for (int meetings = 0;; ++meetings) {
@@ -109,6 +110,14 @@ void IslandSolver::step_islands(World& world, const Plan& plan, Real dt) {
   islands_.give_joints(world);
 }
 
+/// Multiplications in this step so far: an island that has met others since is tried again, and all its tries share twice `most_work`.
+double IslandSolver::most_spent(const IslandWorld& island, const World& world) const {
+  double most = 0;
+  for (const int body : island.bodies())
+    if (world.body(body).movable()) most = std::max(most, spent_[std::size_t(body)]);
+  return most;
+}
+
 void IslandSolver::step_island(IslandWorld& island, const IslandStep& step) {
   const int lowest = island.lowest();
   const bool joints = !island.world.joints.empty(), many = classifier_.many_contacts(lowest);
@@ -126,6 +135,9 @@ void IslandSolver::step_island(IslandWorld& island, const IslandStep& step) {
     solver.most_work = std::min(saved.saved(), budget.at_once * price);
     solver.fall_back_to_full_solve = false;
   }
+  const double spent = most_spent(island, step.whole);
+  if (!many && !joints && given.of_body.empty())
+    solver.most_work = std::clamp(2 * solver.most_work - spent, 1.0, solver.most_work);
   IslandMemory& memory = memory_[std::size_t(lowest)];
   const auto control = [&] {
     if (given.of_body.empty()) control_by_energy(island, memory, step);
@@ -139,6 +151,8 @@ void IslandSolver::step_island(IslandWorld& island, const IslandStep& step) {
     island.set_order();
     control();
   }
+  for (const int body : island.bodies())
+    if (step.whole.body(body).movable()) spent_[std::size_t(body)] = spent + solver.work();
   if (many) {
     const double work = solver.work() + of_resting_contact * classifier_.contacts(lowest) * memory.substeps;
     if (island.held) saved.succeed(price - work, budget.most * price);

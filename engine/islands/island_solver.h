@@ -54,6 +54,7 @@ class IslandSolver : public ForwardingSolver, public IslandSettings {
 
   void classify(World& world, bool too_many_meetings, Real dt);
   void step_islands(World& world, const Plan& plan, Real dt);
+  double most_spent(const IslandWorld& island, const World& world) const;
   void step_island(IslandWorld& island, const IslandStep& step);
   bool others_were_met(const World& world, Real dt);
   void fall_back(const World& world);
@@ -68,6 +69,7 @@ class IslandSolver : public ForwardingSolver, public IslandSettings {
   IslandWorlds islands_;
   RemainingBodies remaining_;
   std::vector<IslandMemory> memory_;  // of each body that is the lowest of its island
+  std::vector<double> spent_;         // on each body in this step, before it met others; multiplications
   SolveStats solved_;                 // of all islands so far
   bool call_by_call_ = false;
 };

@@ -29,7 +29,7 @@ test("the wall of symptoms: clips in sight turn, the switch shows the fix at the
       return { step: clip.drawn, pixels: clip.canvas.toDataURL() };
     });
   const ill = await picture();
-  await page.getByRole("checkbox", { name: "mended: A column sticks" }).check();
+  await page.getByRole("checkbox", { name: "fixed: A column sticks" }).check();
   const mended = await picture();
   assert.equal(mended.step, ill.step);
   assert.notEqual(mended.pixels, ill.pixels);
@@ -40,7 +40,7 @@ test("the wall of symptoms: clips in sight turn, the switch shows the fix at the
     canvas.getContext("webgl2").getExtension("WEBGL_lose_context").loseContext();
     await lost;
   });
-  await page.getByRole("checkbox", { name: "mended: A column sticks" }).uncheck();
+  await page.getByRole("checkbox", { name: "fixed: A column sticks" }).uncheck();
   assert.equal((await picture()).pixels, ill.pixels);
   assert.deepEqual(page.wrong, []);
   await page.close();

@@ -227,7 +227,7 @@ function figure(clip, page, turns = false) {
     ? `<label><span>${label}</span><output aria-live="off">${value}</output><input type="range" min="0" ` +
       `max="${slider.notches}" value="${slider.at}" aria-label="${label}" aria-valuetext="${value}" disabled></label>`
     : turns
-      ? `<label class="mended"><input type="checkbox" aria-label="mended: ${escaped(words)}" disabled> mended</label>`
+      ? `<label class="mended"><input type="checkbox" aria-label="fixed: ${escaped(words)}" disabled> fixed</label>`
       : "";
   const output = clip.number ? `<output aria-live="${clip.guess ? "polite" : "off"}"></output>` : "";
   return (
