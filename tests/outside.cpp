@@ -6,6 +6,7 @@
 #include "pushback/tools/measure/hard_cases/watcher.h"
 #include "pushback/tools/measure/outside/report.h"
 #include "tests/support/catch.h"
+#include "tests/support/complaint.h"
 
 using namespace pushback;
 using namespace pushback::outside;
@@ -58,7 +59,7 @@ TEST_CASE("outside: every scene is read, and begins with finite numbers and bodi
     CHECK(look_at(scene, world)(world) >= 0);
   }
   CHECK(outside_scenes().size() >= 17);
-  CHECK_THROWS_WITH(scene_named("nothing"), Catch::Contains("sphere_in_slot"));
+  CHECK(complaint([] { scene_named("nothing"); }).find("sphere_in_slot") != std::string::npos);
 }
 
 TEST_CASE("outside: a plate and its balls gain as much momentum as pushing and friction give them") {
@@ -94,8 +95,8 @@ TEST_CASE("outside: results are read as they were written, and lines that are no
       {.scene = "kapla", .solver = "Bullet", .number = 0.1}};
   const std::string text = text_of(all);
   CHECK(text_of(read_lines(text)) == text);
-  CHECK_THROWS_WITH(read_lines(text + "kapla,Bullet,1\n"), Catch::Contains("10 fields are needed"));
-  CHECK_THROWS_WITH(read_lines(text + "castle,Bullet,1,1,1,1,1,1,1,\n"), Catch::Contains("castle"));
+  CHECK(complaint([&] { read_lines(text + "kapla,Bullet,1\n"); }).find("10 fields are needed") != std::string::npos);
+  CHECK(complaint([&] { read_lines(text + "castle,Bullet,1,1,1,1,1,1,1,\n"); }).find("castle") != std::string::npos);
 }
 
 TEST_CASE("outside: scenes in which ours lose come first") {
