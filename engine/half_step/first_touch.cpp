@@ -191,7 +191,7 @@ std::optional<Real> first_touch(Flight& a, Flight& b, Real within, Real touching
     Real free = approach.free(gap.normal, d, Vec3::Zero(), left);
     if (free < left && bounded(body_a) && bounded(body_b))
       for (const Vec3& turn : {body_a.angular_velocity, body_b.angular_velocity, approach.turn_of_edges(gap.normal)})
-        free = std::max(free, approach.free(gap.normal, d, turn, left));
+        if (!turn.isZero(0)) free = std::max(free, approach.free(gap.normal, d, turn, left));
     t += free;
     if (!(t < within)) return {};
   }

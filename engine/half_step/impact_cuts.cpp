@@ -15,7 +15,7 @@ namespace {
 
 constexpr double of_corners = 150;  // multiplications for each pair of corners, in each round of first_touch
 constexpr double of_rows = 10;      // multiplications for the cube of their number, in a small problem
-constexpr Real hardly = Real(0.9);  // of the speed of a pair's last impact: with more, the sequence is given up
+constexpr Real late = Real(0.9);    // of the speed of a pair's last impact: with more, the sequence is given up
 constexpr int most_pairs = 1000;    // solved in sequence, before all are at the same time
 
 }  // namespace
@@ -128,15 +128,15 @@ bool ImpactCuts::impact(KickDrift& motion, World& world, Real h, bool& met) {
     const Contact& at = world.contacts[i];
     return at.restitution > 0 && separating_speed(world, at) < -motion.settings.threshold;
   };
-  const auto lasts = [&](const Contact& at) {
+  const auto ends_late = [&](const Contact& at) {
     const Real speed = separating_speed(world, at);
     const auto [before, is_new] = last.try_emplace(pair_of(at), speed);
-    const bool hardly_slower = !is_new && speed < hardly * before->second;
+    const bool hardly_slower = !is_new && speed < late * before->second;
     before->second = speed;
     return hardly_slower && std::none_of(touching_.begin(), touching_.end(), bounces);
   };
   for (int round = 0; impacts == Impacts::sequential && round < most_pairs && approaches(first); ++round) {
-    if (lasts(world.contacts[*first])) break;
+    if (ends_late(world.contacts[*first])) break;
     const BodyPair pair = pair_of(world.contacts[*first]);
     of_pair_.clear();
     for (const std::size_t i : touching_)

@@ -110,7 +110,8 @@ void IslandSolver::step_islands(World& world, const Plan& plan, Real dt) {
   islands_.give_joints(world);
 }
 
-/// Multiplications in this step so far: an island that has met others since is tried again, and all its tries share twice `most_work`.
+/// Multiplications that the last tries of its bodies took, earlier in this step. An island that has met others is tried again, with what
+/// is left of twice `most_work`.
 double IslandSolver::most_spent(const IslandWorld& island, const World& world) const {
   double most = 0;
   for (const int body : island.bodies())

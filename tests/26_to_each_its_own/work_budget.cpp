@@ -127,6 +127,29 @@ TEST_CASE("by island: what half steps take of a heap that falls and comes to res
   CHECK(overrun < 1.1);  // what had been begun
 }
 
+TEST_CASE("by island: an island that meets others within a step has the work that is left for its next try") {
+  World world;
+  world.add(ground());
+  Random random(1);
+  for (int i = 0; i < 10; ++i) {
+    const Real x = random.between(Real(-0.05), Real(0.05)), z = random.between(Real(-0.05), Real(0.05));
+    world.add(box({Real(0.25), Real(0.25), Real(0.25)}, 1).at({x, 1 + Real(0.6) * static_cast<Real>(i), z}));
+  }
+  IslandSolver solver;
+  const double most = solver.contact_half_step.most_work;
+  double least = most;
+  for (int i = 0; i < 60; ++i) {
+    world.step(solver, h);
+    for (std::size_t k = 0; k < solver.islands().size(); ++k) {
+      const IslandWorld& island = solver.islands()[k];
+      if (solver.classifier().many_contacts(island.lowest())) continue;
+      CHECK(island.half_step.most_work <= most);
+      least = std::min(least, island.half_step.most_work);
+    }
+  }
+  CHECK(least < most);
+}
+
 TEST_CASE("by island: the first step of touching balls stays within its bound, however many there are") {
   for (const int across : {4, 8, 12}) {
     CAPTURE(across);

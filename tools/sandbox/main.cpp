@@ -29,7 +29,10 @@ std::vector<Action> actions_in(const std::vector<Real>& numbers) {
                         numbers[i + 3]};
     const bool known = action.kind >= 0 && action.kind < Action::kind_count &&
                        (action.kind != Action::flip || (action.x >= 0 && action.x < Real(switch_count)));
-    if (!known) throw InvalidInput(fmt::format("--actions: there is no action {}, {}", numbers[i + 1], numbers[i + 2]));
+    if (!known)
+      throw InvalidInput(
+          fmt::format("--actions: there is no action {}, {}: 0 and a switch from 0 to {}, 1 or 2 are needed",
+                      numbers[i + 1], numbers[i + 2], switch_count - 1));
     actions.push_back(action);
   }
   return actions;
