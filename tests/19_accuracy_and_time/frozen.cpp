@@ -3,12 +3,10 @@
 
 #include "pushback/chapters/17_direct_contacts/methods.h"
 #include "pushback/common/basics/files.h"
-#include "pushback/common/basics/shard.h"
 #include "pushback/common/world/situations.h"
 #include "pushback/engine/direct/row_matrix.h"
 #include "pushback/engine/direct/smoothed_newton.h"
 #include "pushback/tools/measure/frozen/frozen.h"
-#include "pushback/tools/measure/results/origin.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
 #include "tests/support/complaint.h"
@@ -144,43 +142,4 @@ TEST_CASE("a folder of problems that is none is refused by name") {
   CHECK(fs::is_empty(empty));
   write_text_file(empty / "bad.dat", "3 1 oops");
   CHECK(contains(complaint([&] { foreign_problems(empty); }), "bad.dat"));
-}
-
-TEST_CASE("parts of the frozen problems, each solved on a machine of its own, make the whole") {
-  const Scratch scratch;
-  const fs::path folder = scratch / "19_accuracy_and_time";
-  FrozenPoints whole = read_frozen_csv(text_of("renders/19_accuracy_and_time/frozen.csv"));
-  std::erase_if(whole.problems, [](const FrozenPoints::Problem& of) {
-    return std::none_of(ours().begin(), ours().end(), [&](const FrozenProblem& own) { return own.name == of.name; });
-  });
-  REQUIRE(whole.problems.size() == ours().size());
-  const auto call = [&](const std::string& what) {
-    return call_program(FROZEN_PROGRAM, what + " --out '" + (scratch / "").string() + "'", 100);
-  };
-  for (std::size_t i = 1; i <= 3; ++i) {
-    FrozenPoints part{whole.methods, {}};
-    for (std::size_t p = i - 1; p < whole.problems.size(); p += 3) part.problems.push_back(whole.problems[p]);
-    const fs::path to = folder / Shard{i, 3}.folder();
-    fs::create_directories(to);
-    write_text_file(to / "frozen.csv", csv_of(part));
-    write_text_file(to / "frozen_origin.txt", origin_text({"machine", "compiler", "commit"}));
-  }
-  const Ended ended = call("--join 3");
-  INFO(ended.err);
-  REQUIRE(ended.status == 0);
-  CHECK(text_of(folder / "frozen.csv") == csv_of(whole));
-  for (const std::string file : {"frozen.png", "profiles.png", "frozen.md"}) CHECK(fs::exists(folder / file));
-  CHECK(contains(text_of(folder / "reached.md"), "Of 21 problems"));
-
-  write_text_file(folder / "shard_2_of_3/frozen_origin.txt", origin_text({"another", "compiler", "commit"}));
-  const Ended mixed = call("--join 3");
-  CHECK(mixed.status == 2);
-  CHECK(contains(mixed.err, "'another'"));
-
-  REQUIRE(call("--quick --shard 1/21").status == 0);  // that is one problem, and no word on the whole
-  const fs::path first = folder / "shard_1_of_21";
-  CHECK(read_origin(first / "frozen_origin.txt") == origin_here());
-  CHECK(read_frozen_csv(text_of(first / "frozen.csv")).problems.at(0).name == ours()[0].name);
-  CHECK(!fs::exists(first / "frozen.md"));
-  CHECK(contains(call("--shard 1/99").err, "there are 21 problems"));
 }

@@ -1,11 +1,9 @@
-/// Chapter 19: limits of what was measured, the programs that measure, and parts that make the whole. No test looks at a
-/// clock.
+/// Chapter 19: limits of what was measured, and the programs that measure. No test looks at a clock.
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "pushback/common/basics/input.h"
-#include "pushback/tools/measure/results/origin.h"
 #include "pushback/tools/measure/study/every_motion.h"
 #include "pushback/tools/measure/study/limits.h"
 #include "pushback/tools/measure/study/report.h"
@@ -242,49 +240,11 @@ TEST_CASE("the study refuses what it cannot do, before it has written anything")
   const Scratch scratch;
   for (const auto& [arguments, part] : std::vector<std::pair<std::string, std::string>>{
            {"--only nothing", "'nothing'"},
-           {"--join 1", "--join"},
-           {"--renew within", "study.csv"},
-           {"--shard 2/2 --only bounce", "there are 1 motions, and each part needs one"}}) {
+           {"--renew within", "study.csv"}}) {
     const Ended ended = call_program(STUDY_PROGRAM, arguments + " --out '" + (scratch / "out").string() + "'");
     INFO(arguments << ": " << ended.err);
     CHECK(ended.status == 2);
     CHECK(contains(ended.err, part));
     CHECK(!fs::exists(scratch / "out"));
   }
-}
-
-TEST_CASE("parts of the study, each measured on a machine of its own, make the whole") {
-  const Scratch scratch;
-  const fs::path folder = scratch / "out/19_accuracy_and_time", second = folder / "shard_2_of_2";
-  AllMeasured whole, parts[2];
-  for (std::size_t i = 0; i < all_motions().size(); ++i)
-    whole[all_motions()[i].name] = parts[i % 2][all_motions()[i].name] = {
-        {.engine = "motion", .method = "steady", .sweeps = 1, .error = 1e-3, .seconds = {static_cast<double>(i + 1)}}};
-  for (const int part : {1, 2}) {
-    const fs::path to = folder / fmt::format("shard_{}_of_2", part);
-    fs::create_directories(to);
-    std::ofstream(to / "study.csv") << csv_of(parts[part - 1]);
-    std::ofstream(to / "machine.md") << "machine of part " << part << "\n";
-    std::ofstream(to / "origin.txt") << origin_text({"machine", "compiler", "commit"});
-  }
-  const auto join = [&](const std::string& count) {
-    return call_program(STUDY_PROGRAM, "--join " + count + " --out '" + (scratch / "out").string() + "'", 100);
-  };
-  const Ended ended = join("2");
-  INFO(ended.err);
-  CHECK(ended.status == 0);
-  CHECK(text_of(folder / "study.csv") == csv_of(whole));
-  CHECK(text_of(folder / "machine.md") == "machine of part 1\n\nmachine of part 2\n\n");
-  for (const Origin& other : {Origin{"another", "compiler", "commit"},
-                              {"machine", "another", "commit"},
-                              {"machine", "compiler", "another"}}) {
-    std::ofstream(second / "origin.txt") << origin_text(other);
-    const Ended mixed = join("2");
-    CHECK(mixed.status == 2);
-    CHECK(contains(mixed.err, "shard_2_of_2/origin.txt"));
-    CHECK(contains(mixed.err, "'another'"));
-  }
-  fs::remove(second / "origin.txt");
-  CHECK(join("2").status == 2);
-  CHECK(contains(join("3").err, "shard_1_of_3"));
 }

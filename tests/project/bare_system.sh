@@ -28,7 +28,6 @@ tries=(  # each command of ./course --help, for a moment; those that read what o
   "run benchmark /tmp/benchmark"
   "run adapter tools/measure/adapters/template.mjs"
   "fuzz -- --scenes 5"
-  "fuzz --shards 2 -- --scenes 5"
   "bench effects -- --benchmark_filter=frictionless_solving"
   "exercise"
   "mine"

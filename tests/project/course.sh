@@ -54,9 +54,9 @@ course test --lng && refused "unknown option '--lng'" "the options are: --yes --
 course render --beta 1 && refused "unknown option '--beta'" "./course render -- --beta"
 course hard-cases --peers --quick && refused "one of the two"
 for many in 0 1 1000 x ""; do
-  course fuzz --shards "$many" && refused "--shards is '$many': a number of parts, from 2 to 999, is needed"
+  course grade --shards "$many" && refused "--shards is '$many': a number of parts, from 2 to 999, is needed"
 done
-course fuzz --shards 2 -- --seed=3 && refused "split and join the work themselves: --seed=3 is not allowed"
+course grade --shards 2 --shard=1/2 && refused "split and join the work themselves: --shard=1/2 is not allowed"
 course run solve --preset relase a.dat && refused "unknown preset 'relase'" "the presets are: release debug sanitize tidy threads ci clang odr"
 course clean up && refused "'clean' takes no words"
 course --yes && refused "a command is needed"
@@ -181,13 +181,9 @@ course book -- --address https://x.org/book --repository=http://y.org
 expect 0 "cmake --build --preset wasm" "build.js --address https://x.org/book --repository=http://y.org" && expect_not "still pictures"
 stand_in dpkg-query 'shift 3; printf " installed:%s " "$@"'
 
-# Random scenes: one of them as it is, many in a part for each core.
+# Random scenes, with the program's exit status.
 program hard_cases_fuzz 'echo "fuzz: $*"; exit 1'
 course fuzz -- --seed 7 --stage "07 warm start" && expect 1 "--target hard_cases_fuzz" "fuzz: --seed 7 --stage 07 warm start"
-course fuzz -- --scenes 9 && expect 1 "fuzz: --scenes 9 --join" && expect_not "--shard"
-output=$(cat "$scratch/home/build/release/fuzz/"*.said) && expect 1 "fuzz: --scenes 9 --shard 1/2 --save build/release/fuzz/1" "--shard 2/2"
-program hard_cases_fuzz 'echo "no such stage"; exit 2'
-course fuzz -- --stage x && expect 2 "no such stage" && expect_not "--join"
 
 # What is handed on goes to a program as it is, with its exit status; files are named as seen from where one stands.
 for name in effects solve export_problem handout exercise mine grade; do program $name "echo \"$name: \$* in \$PWD\"; exit 3"; done

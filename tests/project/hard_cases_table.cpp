@@ -5,7 +5,6 @@
 #include <limits>
 #include <set>
 
-#include "pushback/tools/measure/results/origin.h"
 #include "tests/support/call.h"
 #include "tests/support/complaint.h"
 
@@ -167,56 +166,13 @@ TEST_CASE("the committed table is read back to the byte, its page is what it mak
   CHECK(!fs::exists(scratch / "none"));
 }
 
-// That they make the same bytes as the whole: parts.sh.
-TEST_CASE("parts are put together where all are there and of one code; of another machine they may be") {
-  const Scratch scratch;
-  const std::string what = "bounces --stages 01,02 --starts 1 --no-images --out '" + (scratch / "").string() + "' ";
-  const auto play = [&](const std::string& more) { return call_program(TABLE_PROGRAM, what + more, 100); };
-  CHECK(contains(play("--shard 1/3").err, "there are 1 cases under 2 stages"));
-  CHECK_FALSE(fs::exists(scratch / "hard_cases"));
-  REQUIRE(play("--shard 2/2").status == 0);
-  const Ended early = play("--join 2");
-  CHECK(early.status == 2);
-  CHECK(contains(early.err, "shard_1_of_2"));
-  REQUIRE(play("--shard 1/2").status == 0);
-  const fs::path folder = scratch / "hard_cases/part", file = folder / "shard_2_of_2/origin.txt";
-  CHECK_FALSE(fs::exists(folder / "shard_1_of_2/table.md"));
-  const Origin here = origin_here();
-  CHECK(read_origin(file) == here);
-  const auto join_with = [&](const Origin& other) {
-    std::ofstream(file) << origin_text(other);
-    return play("--join 2");
-  };
-  CHECK(join_with({"another", here.compiler, here.commit}).status == 0);
-  CHECK(lines_of(text_of(folder / "times.csv")).size() == 1 + 2);
-  const Ended compiled = join_with({here.machine, "cc 1", here.commit});
-  CHECK(compiled.status == 2);
-  CHECK(contains(compiled.err, "parts of one compiler are needed: it is '" + here.compiler + "' in "));
-  CHECK(contains(compiled.err, "and 'cc 1' in " + file.string()));
-  CHECK(contains(join_with({here.machine, here.compiler, "0123"}).err, "parts of one commit are needed"));
-  std::ofstream(file) << "machine: x\n";
-  CHECK(contains(play("--join 2").err, "does not say of which machine"));
-}
-
-TEST_CASE(
-    "random scenes: one that was known to fail and does not is a failure, and parts that are not there are named") {
-  const Scratch scratch;
-  const std::string what = "--first 5 --scenes 3 --stage '07 warm start' --known 6";
-  const std::string saved = "'" + (scratch / "1").string() + "'";
-  const Ended whole = call_program(FUZZ_PROGRAM, what + " --save " + saved, 100);
-  CHECK(whole.status == 1);
-  CHECK(contains(whole.out, "scene 6, 07 warm start: known to fail, and did not\n"));
-  CHECK(contains(whole.err, "1 of 3 runs"));
-  const Ended joined = call_program(FUZZ_PROGRAM, what + " --join " + saved);
-  CHECK(joined.out == whole.out);
-  CHECK(joined.err == whole.err);
-  CHECK(contains(call_program(FUZZ_PROGRAM, "--first 5 --scenes 4 --stage '07 warm start' --join " + saved).err,
-                 "no part has scene 8,"));
-  fs::copy(scratch / "1", scratch / "2");
-  std::ofstream(scratch / "2.origin") << origin_text({"another", origin_here().compiler, "0123"});
-  const Ended mixed = call_program(FUZZ_PROGRAM, what + " --join " + saved + " '" + (scratch / "2").string() + "'");
-  CHECK(mixed.status == 2);
-  CHECK(contains(mixed.err, "parts of one commit are needed"));
+TEST_CASE("random scenes: one that was known to fail and does not is a failure, whatever the number of threads") {
+  const std::string what = "--first 5 --scenes 3 --stage '07 warm start' --known 6 --jobs ";
+  const Ended one = call_program(FUZZ_PROGRAM, what + "1", 100), two = call_program(FUZZ_PROGRAM, what + "2", 100);
+  CHECK(one.status == 1);
+  CHECK(contains(one.out, "scene 6, 07 warm start: known to fail, and did not\n"));
+  CHECK(contains(one.err, "1 of 3 runs"));
+  CHECK(two.out == one.out);
 }
 
 TEST_CASE("what cannot be meant: status 2, a message that names it, and nothing is written") {

@@ -3,11 +3,8 @@
 #include <iterator>
 
 #include "pushback/common/basics/files.h"
-#include "pushback/common/basics/shard.h"
 #include "pushback/common/experiment/program.h"
 #include "pushback/tools/measure/frozen/frozen.h"
-#include "pushback/tools/measure/results/chosen.h"
-#include "pushback/tools/measure/results/origin.h"
 
 using namespace pushback;
 using namespace pushback::frozen;
@@ -51,29 +48,22 @@ void show_large(std::vector<FrozenProblem> foreign, bool quick, const std::files
 
 int main(int argc, char** argv) {
   CommandLine line("Every method on every frozen problem: how far it comes in what time.");
-  std::string folder, out = "renders", shard_text = "1/1";
+  std::string folder, out = "renders";
   bool quick = false, redraw = false, large = false;
-  std::size_t parts = 0;
   line.flag("--quick", quick, "Seconds instead of minutes");
   line.flag("--redraw", redraw, "Nothing is solved: pictures of what is in frozen.csv");
   line.flag("--large", large,
             "Problems of hundreds and thousands of contacts instead, each once, into large.md: minutes");
   line.option("--problems", folder, "A folder of contact problems (*.dat) to solve beside our own")
       .from_environment("PUSHBACK_PROBLEMS");
-  line.option("--shard", shard_text, "2/5: the second of five parts, for a machine of its own, into shard_2_of_5");
-  line.option("--join", parts,
-              "5: nothing is solved; the whole of the five parts that were solved with the same options")
-      .between(2, 1000);
   line.option("--out", out, "Where the folder 19_accuracy_and_time is written to").shows_default();
   return line.run(argc, argv, [&] {
-    if (large && (redraw || parts > 0 || shard_text != "1/1"))
-      throw InvalidInput("--large goes with none of --redraw, --shard, --join: its tables are one small piece of work");
-    std::filesystem::path to = std::filesystem::path(out) / "19_accuracy_and_time";
+    if (large && redraw) throw InvalidInput("--large goes without --redraw: it has no pictures");
+    const std::filesystem::path to = std::filesystem::path(out) / "19_accuracy_and_time";
     if (redraw) {
       draw(read_frozen_csv(read_text_file(to / "frozen.csv")), to);
       return;
     }
-    const Shard shard = shard_of(shard_text);
     std::vector<FrozenProblem> foreign;
     if (!folder.empty()) foreign = foreign_problems(folder);  // a bad one is said before anything is made or written
     if (large) {
@@ -82,19 +72,7 @@ int main(int argc, char** argv) {
     }
     std::vector<FrozenProblem> problems = own_problems();
     std::move(foreign.begin(), foreign.end(), std::back_inserter(problems));
-    if (parts > 0) {
-      const auto folders = folders_of_parts(to, parts, "frozen_origin.txt", Holds::times);
-      return show(joined(texts_of_parts(folders, "frozen.csv")), problems, to);
-    }
-    problems = of_part("problems", std::move(problems), shard);
-    if (!shard.whole()) to /= shard.folder();
     make_writable_folder(to);
-    const std::string csv = csv_of(study_frozen(problems, quick));
-    if (shard.whole()) {
-      show(csv, problems, to);
-    } else {
-      write_text_file(to / "frozen.csv", csv);
-      write_text_file(to / "frozen_origin.txt", origin_text(origin_here()));
-    }
+    show(csv_of(study_frozen(problems, quick)), problems, to);
   });
 }

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <optional>
 
-#include "pushback/common/basics/shard.h"
 #include "pushback/common/experiment/program.h"
 #include "pushback/common/render/image.h"
 #include "pushback/tools/measure/hard_cases/hard_case.h"
@@ -45,10 +44,10 @@ struct GivingUp {
   int times = 3;
 };
 
-/// Plays every case under every stage, or of these pairs those that are the part's. Each has a world and a solver of its own, so that
-/// the order and the number of threads change nothing.
+/// Plays every case under every stage. Each pair has a world and a solver of its own, so that the order and the number of threads
+/// change nothing.
 Table play(std::vector<HardCase> cases, std::vector<Stage> stages, int threads, const Progress& progress,
-           const GivingUp& giving_up = {}, const Shard& shard = {});
+           const GivingUp& giving_up = {});
 
 /// With an outcome for each pair, of nothing.
 Table empty_table(std::vector<HardCase> cases, std::vector<Stage> stages);
@@ -128,7 +127,7 @@ struct TableKind {
   };  ///< on the page and in the picture
 };
 
-/// Adds the common options to the line, reads it, and plays, joins or shows the table. `kind_of` is called after the options were read.
+/// Adds the common options to the line, reads it, and plays or shows the table. `kind_of` is called after the options were read.
 /// Returns the exit status: 1 if a stage that is played apart crashed, threw or came to no end.
 int table_program(int argc, const char* const* argv, CommandLine& line, const std::function<TableKind()>& kind_of);
 

@@ -110,11 +110,10 @@ int program_apart(int argc, const char* const* argv, const std::function<Stage(c
 }
 
 Table play(std::vector<HardCase> cases, std::vector<Stage> stages, int threads, const Progress& progress,
-           const GivingUp& giving_up, const Shard& shard) {
+           const GivingUp& giving_up) {
   Table table = empty_table(std::move(cases), std::move(stages));
   const std::size_t columns = table.stages.size(), pairs = table.cases.size() * columns;
-  std::vector<std::size_t> left(table.cases.size());
-  for (std::size_t i = 0; i < pairs; ++i) left[i / columns] += shard.has(i) ? 1 : 0;
+  std::vector<std::size_t> left(table.cases.size(), columns);
   std::size_t rows = 0, done = 0;
   std::mutex mutex;
   std::atomic<int> given_up = 0;
@@ -149,8 +148,7 @@ Table play(std::vector<HardCase> cases, std::vector<Stage> stages, int threads, 
   };
   ThreadPool pool(threads, true);
   pool.each(pairs, 1, [&](Part part) {
-    for (std::size_t i = part.begin; i < part.end; ++i)
-      if (shard.has(i)) play_pair(i);
+    for (std::size_t i = part.begin; i < part.end; ++i) play_pair(i);
   });
   return table;
 }

@@ -8,7 +8,6 @@
 #include "pushback/common/basics/files.h"
 #include "pushback/common/experiment/kept_picture.h"
 #include "pushback/tools/measure/results/chosen.h"
-#include "pushback/tools/measure/results/origin.h"
 
 namespace pushback {
 
@@ -18,8 +17,7 @@ namespace {
 
 struct Options {
   std::vector<std::string> names, stages;
-  std::string out = "renders", shard = "1/1";
-  std::size_t parts = 0;
+  std::string out = "renders";
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   int starts = many_starts;
   bool no_images = false, list = false, redraw = false, renew = false;
@@ -99,24 +97,17 @@ class TableRun {
                        options_.starts == many_starts;
     columns.insert(columns.end(), kind_.further.begin(), kind_.further.end());
     if (options_.list) return list(cases, columns);
-    fs::path folder = whole || options_.renew ? home_ : home_ / "part";
-    if (options_.parts > 0) return join(folder);
+    const fs::path folder = whole || options_.renew ? home_ : home_ / "part";
     leave_out_missing(columns, !options_.stages.empty());
-    const Shard shard = shard_of(options_.shard);
-    if (shard.of > cases.size() * columns.size())
-      throw InvalidInput(
-          fmt::format("--shard is '{}': there are {} cases under {} stages, and each part needs one pair",
-                      options_.shard, cases.size(), columns.size()));
-    if (!shard.whole()) folder /= shard.folder();
     std::optional<Table> before;
     if (options_.renew) before = read(home_);
     make_writable_folder(folder);
-    const bool all_numbers = !shard.whole() || (!whole && (kind_.further.empty() || cases.size() <= 3));
-    Table table = played(std::move(cases), std::move(columns), shard, all_numbers);
+    const bool all_numbers = !whole && (kind_.further.empty() || cases.size() <= 3);
+    Table table = played(std::move(cases), std::move(columns), all_numbers);
     if (before) table = renewed(table, *before);
-    write(table, times_csv(table), folder);
-    if (!shard.whole()) write_text_file(folder / "origin.txt", origin_text(origin_here()));
-    else show(table, folder);
+    write_text_file(folder / (kind_.file + ".csv"), table_csv(table));
+    write_text_file(folder / kind_.times, times_csv(table));
+    show(table, folder);
     return kind_.further.empty() || sum_up(table);
   }
 
@@ -134,11 +125,6 @@ class TableRun {
     return read_table_csv(read_text_file(folder / (kind_.file + ".csv")), kind_.stages);
   }
 
-  void write(const Table& table, const std::string& times, const fs::path& folder) const {
-    write_text_file(folder / (kind_.file + ".csv"), table_csv(table));
-    write_text_file(folder / kind_.times, times);
-  }
-
   /// Writes what is made of the table.
   bool show(const Table& table, const fs::path& folder) const {
     const Table shown = kind_.shown(table);
@@ -150,15 +136,6 @@ class TableRun {
     return true;
   }
 
-  /// The parts, put together: the same files as if all had been played here.
-  bool join(const fs::path& folder) const {
-    const auto folders = folders_of_parts(folder, options_.parts, "origin.txt", Holds::numbers);
-    constexpr int fields = 2;  // a thing is a pair of case and stage
-    const Table table = read_table_csv(joined(texts_of_parts(folders, kind_.file + ".csv"), fields), kind_.stages);
-    write(table, joined(texts_of_parts(folders, kind_.times), fields), folder);
-    return show(table, folder);
-  }
-
   static bool list(const std::vector<HardCase>& cases, const std::vector<Stage>& columns) {
     for (const HardCase& c : cases) fmt::print("{:<24}{}: {}\n", c.name, c.title, c.stresses);
     fmt::print("\n");
@@ -166,20 +143,19 @@ class TableRun {
     return true;
   }
 
-  Table played(std::vector<HardCase> cases, std::vector<Stage> columns, const Shard& shard, bool all_numbers) const {
+  Table played(std::vector<HardCase> cases, std::vector<Stage> columns, bool all_numbers) const {
     std::size_t printed = 0;
     const bool terminal = isatty(fileno(stdout)) == 1;
     const auto progress = [&](const Table& so_far, std::size_t rows, std::size_t done) {
       if (terminal) fmt::print("\r\033[K");
       for (; printed < rows; ++printed) {
-        if (shard.whole()) print_row(so_far, printed);
-        else fmt::print("{}\n", so_far.cases[printed].name);
+        print_row(so_far, printed);
         if (all_numbers) print_numbers(so_far, printed);
       }
       if (terminal && done < so_far.outcomes.size()) fmt::print("{} of {}", done, so_far.outcomes.size());
       std::fflush(stdout);
     };
-    return play(std::move(cases), std::move(columns), options_.jobs, progress, kind_.giving_up, shard);
+    return play(std::move(cases), std::move(columns), options_.jobs, progress, kind_.giving_up);
   }
 
   const Options& options_;
@@ -208,10 +184,6 @@ int table_program(int argc, const char* const* argv, CommandLine& line, const st
   const auto at_most =
       line.option("--at-most", patience, "A case that a process of its own plays is given up after so long, s")
           .between(0.1, 36000.0);
-  line.option("--shard", options.shard, "2/5: the second of five parts, for a machine of its own, into shard_2_of_5");
-  line.option("--join", options.parts,
-              "5: nothing is played; the whole of the five parts that were played with the same options")
-      .between(2, 1000);
   line.flag("--renew", options.renew,
             "The other pairs stay as they are in the whole table's CSV file; only those named are played");
   line.flag("--no-images", options.no_images, "No picture");
@@ -224,8 +196,7 @@ int table_program(int argc, const char* const* argv, CommandLine& line, const st
       require_between("--at-most", static_cast<Real>(patience), Real(0.1), 36000);  // the range lets nan pass
       kind.giving_up.seconds = patience;
     }
-    if (options.renew && !(kind.whole && shard_of(options.shard).whole()))
-      throw InvalidInput("--renew is for columns of the whole table, and not for --shard");
+    if (options.renew && !kind.whole) throw InvalidInput("--renew is for columns of the whole table");
     ended = TableRun(options, std::move(kind))();
   });
   return status == 0 && !ended ? 1 : status;

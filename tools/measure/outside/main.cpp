@@ -9,7 +9,7 @@
 #include "pushback/tools/measure/hard_cases/peers.h"
 #include "pushback/tools/measure/outside/report.h"
 #include "pushback/tools/measure/results/csv.h"
-#include "pushback/tools/measure/results/origin.h"
+#include "pushback/tools/measure/results/machine.h"
 
 using namespace pushback;
 using namespace pushback::outside;

@@ -1,8 +1,7 @@
-/// Of cases, stages, motions and problems, those that are asked for.
+/// Of cases and stages, those that are asked for.
 #pragma once
 
 #include "pushback/common/basics/named.h"
-#include "pushback/common/basics/shard.h"
 
 namespace pushback {
 
@@ -29,17 +28,6 @@ std::vector<Named> chosen(const std::string& kind, const std::vector<Named>& all
     if (wanted[i]) list.push_back(all[i]);
   }
   return list;
-}
-
-/// Those of a part, in turn. Throws InvalidInput where a part would have none. `kinds`: "motions".
-template <class Any>
-std::vector<Any> of_part(const std::string& kinds, std::vector<Any> all, const Shard& shard) {
-  if (shard.of > all.size())
-    throw InvalidInput(fmt::format("--shard is '{}/{}': there are {} {}, and each part needs one", shard.part, shard.of,
-                                   all.size(), kinds));
-  std::size_t index = 0;
-  std::erase_if(all, [&](const Any&) { return !shard.has(index++); });
-  return all;
 }
 
 }  // namespace pushback

@@ -3,8 +3,7 @@
 
 #include "pushback/common/basics/files.h"
 #include "pushback/common/experiment/program.h"
-#include "pushback/tools/measure/results/chosen.h"
-#include "pushback/tools/measure/results/origin.h"
+#include "pushback/tools/measure/results/machine.h"
 #include "pushback/tools/measure/study/every_motion.h"
 #include "pushback/tools/measure/study/report.h"
 
@@ -16,8 +15,7 @@ namespace {
 struct Asked {
   bool quick = false, others = false, redraw = false, methods = false, resume = false;
   std::vector<std::string> only;
-  std::string out = "renders", shard = "1/1", mine, adapter, renew;
-  std::size_t parts = 0;
+  std::string out = "renders", mine, adapter, renew;
 };
 
 /// Pictures of motions, a panel each, and tables.
@@ -68,18 +66,6 @@ class Report {
   std::vector<MotionMeasured> all_;
 };
 
-/// The parts, put together: they have timed, so of one kind of machine.
-AllMeasured join(std::size_t parts, const std::filesystem::path& folder) {
-  const auto folders = folders_of_parts(folder, parts, "origin.txt", Holds::times);
-  AllMeasured all;
-  for (const std::string& text : texts_of_parts(folders, "study.csv")) all.merge(read_csv(text));
-  std::string machines;
-  for (const std::string& text : texts_of_parts(folders, "machine.md")) machines += text + "\n";
-  write_text_file(folder / "study.csv", csv_of(all));
-  write_text_file(folder / "machine.md", machines);
-  return all;
-}
-
 /// An engine that is loaded from a file finds it by this variable.
 void add_engine(std::vector<Engine>& engines, const std::string& program, const char* variable,
                 const std::string& file) {
@@ -114,23 +100,18 @@ void measure_and_draw(const Asked& asked, const std::filesystem::path& programs)
   std::vector<Motion> motions;
   for (const std::string& name : asked.only) motions.push_back(any_motion_named(name));
   if (motions.empty()) motions = every_motion();
-  std::filesystem::path folder =
+  const std::filesystem::path folder =
       std::filesystem::path(asked.out) / (asked.methods ? "methods" : "19_accuracy_and_time");
   const auto tell = [&](const AllMeasured& all) {
     const Report report(all, folder);
     if (asked.methods) report.write_methods();
     else report.write(engines_of(all));
   };
-  if (asked.parts > 0) return tell(join(asked.parts, folder));
-  const Shard shard = shard_of(asked.shard);
-  if (asked.resume && !shard.whole()) throw InvalidInput("--resume is for the whole, not for --shard: a part is small");
   if (asked.redraw || !asked.renew.empty()) return tell(stored(asked, programs, motions, folder));
   std::vector<Engine> engines =
       asked.methods ? engines_named({"motion", "motion_wide", "motion_methods"}) : engines_in(programs, asked.others);
   add_engine(engines, "motion_mine", "PUSHBACK_MINE", asked.mine);
   add_engine(engines, "motion_adapter", "PUSHBACK_ADAPTER", asked.adapter);
-  motions = of_part("motions", std::move(motions), shard);
-  if (!shard.whole()) folder /= shard.folder();
   make_writable_folder(folder);
   RoundOptions options{.engines = engines, .programs = programs, .quick = asked.quick};
   if (asked.methods) options.methods = compared_methods();
@@ -152,8 +133,7 @@ void measure_and_draw(const Asked& asked, const std::filesystem::path& programs)
   run.took = std::chrono::steady_clock::now() - began;
   run.load_after = load_now();
   write_text_file(folder / "machine.md", table_of_machine(run, engines, all));
-  if (shard.whole()) tell(all);
-  else write_text_file(folder / "origin.txt", origin_text(origin_here()));
+  tell(all);
 }
 
 }  // namespace
@@ -174,8 +154,6 @@ int main(int argc, char** argv) {
   line.option("--renew", asked.renew,
               "within, motion_mujoco: only this method or engine is measured; all else in study.csv stays as it is");
   line.option("--only", asked.only, "These motions");
-  line.option("--shard", asked.shard, "2/5: the second of five parts, for a machine of its own, into shard_2_of_5");
-  line.option("--join", asked.parts, "5: nothing is measured; pictures and tables of five such parts").between(2, 1000);
   line.option("--out", asked.out, "The folder to write to").shows_default();
   return line.run(argc, argv,
                   [&] { measure_and_draw(asked, std::filesystem::canonical("/proc/self/exe").parent_path()); });

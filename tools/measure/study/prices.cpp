@@ -8,7 +8,7 @@
 #include "pushback/common/experiment/program.h"
 #include "pushback/engine/presets.h"
 #include "pushback/tools/measure/results/markdown.h"
-#include "pushback/tools/measure/results/origin.h"
+#include "pushback/tools/measure/results/machine.h"
 #include "pushback/tools/measure/study/choice.h"
 #include "pushback/tools/measure/study/every_motion.h"
 #include "pushback/tools/measure/study/ours.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "pushback/tools/measure/results/markdown.h"
-#include "pushback/tools/measure/results/origin.h"
+#include "pushback/tools/measure/results/machine.h"
 #include "pushback/tools/measure/study/choice.h"
 #include "pushback/tools/measure/study/limits.h"
 
