@@ -1,7 +1,6 @@
 // Other engines, in motions and in hard cases; built only with PUSHBACK_PEERS, once for each engine. What is ours is the conversion
 // and the handing over, so it is looked at where an engine has hardly a way to be wrong.
 #include <cmath>
-#include <set>
 
 #include "pushback/chapters/13_joints/hinge.h"
 #include "pushback/chapters/15_limits_motors_springs/limits.h"
@@ -10,7 +9,6 @@
 #include "pushback/common/world/measure.h"
 #include "pushback/tools/measure/peers/peer.h"
 #include "pushback/tools/measure/study/every_motion.h"
-#include "pushback/tools/measure/study/kit.h"
 #include "pushback/tools/measure/study/relaxed_law.h"
 #include "tests/support/call.h"
 #include "tests/support/catch.h"
@@ -161,24 +159,6 @@ TEST_CASE("A box is carried by a belt where an engine has belts, and the others 
     for (const int substeps : {4, 16})
       CHECK(error_of(method, belt, substeps) < (method.name == "ode" ? 0.21 : each / substeps));
   }
-}
-
-TEST_CASE("What the test kit finds wrong is what an engine is known for, and nothing else") {
-  const std::set<std::pair<std::string, std::string>> known{{"bullet", "restitution"},
-                                                            {"bullet-nncg", "restitution"},
-                                                            {"bullet-dantzig", "restitution"},
-                                                            {"bullet-double", "restitution"},
-                                                            {"bullet-double-nncg", "restitution"},
-                                                            {"bullet-double-dantzig", "restitution"},
-                                                            {"ode", "friction"},
-                                                            {"mujoco-bounce", "restitution"},
-                                                            {"mujoco-pyramid", "friction"},
-                                                            {"jolt", "gyroscope"}};
-  for (const Method& method : peer_methods())
-    for (const Finding& finding : findings_of(method)) {
-      INFO(method.name << ", " << finding.about << ": " << finding.says);
-      CHECK((finding.is == Finding::wrong) == known.contains({method.name, finding.about}));
-    }
 }
 
 TEST_CASE("Hard cases: what falls, whatever its shape, falls by the closed form of its substeps, and turns as it did") {

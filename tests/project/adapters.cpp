@@ -1,7 +1,5 @@
-// Engines that others enter: what they are asked, what they may answer, and the test kit that says what they get wrong.
-#include <Eigen/LU>
+// Engines that others enter: what they are asked, and what they may answer.
 #include <cstdlib>
-#include <map>
 
 #include "pushback/chapters/13_joints/hinge.h"
 #include "pushback/chapters/15_limits_motors_springs/limits.h"
@@ -12,7 +10,7 @@
 #include "pushback/tools/measure/hard_cases/hard_case.h"
 #include "pushback/tools/measure/peers/joint_shape.h"
 #include "pushback/tools/measure/study/every_motion.h"
-#include "pushback/tools/measure/study/kit.h"
+#include "pushback/tools/measure/study/ours.h"
 #include "tests/project/jointed.h"
 #include "tests/support/call.h"
 #include "tests/support/complaint.h"
@@ -20,66 +18,6 @@
 using namespace pushback;
 
 namespace {
-
-/// What is wrong with an engine. All zeros: nothing.
-struct Defect {
-  double scale = 1;                                                 // of places
-  std::function<void(World&)> begins = [](World&) {};               // as the world is handed over
-  std::function<void(World&, Real h)> after = [](World&, Real) {};  // each substep
-  std::function<double()> clock = {};                               // s a substep, of its own
-};
-
-/// Ours, with a defect. It learns of damping, sleep and so on by the ways in which other engines have them.
-class Ours : public Player {
- public:
-  Ours(const World& world, const Setting& setting, Defect defect)
-      : world_(world), sweeps_(setting.sweeps), defect_(std::move(defect)) {
-    defect_.begins(world_);
-  }
-  void steps(int count, double h) override {
-    for (int i = 0; i < count; ++i) {
-      world_.step(solver_, static_cast<Real>(h), sweeps_);
-      defect_.after(world_, static_cast<Real>(h));
-      if (defect_.clock) seconds_ += defect_.clock();
-    }
-  }
-  void get(Body& body) const override {
-    body = world_.bodies[static_cast<std::size_t>(body.index)];
-    body.position *= static_cast<Real>(defect_.scale);
-  }
-  std::optional<double> seconds() const override {
-    if (!defect_.clock) return {};
-    return seconds_;
-  }
-
- private:
-  World world_;
-  Jointed solver_;
-  int sweeps_;
-  Defect defect_;
-  double seconds_ = 0;
-};
-
-Method method_with(const Defect& defect) {
-  return {.name = "ours", .title = "ours", .begin = [defect](const World& world, const Setting& setting) {
-            return std::make_unique<Ours>(world, setting, defect);
-          }};
-}
-
-/// What the kit finds wrong, by what it is about.
-std::map<std::string, std::string> wrong_with(const Defect& defect) {
-  std::map<std::string, std::string> wrong;
-  for (const Finding& finding : findings_of(method_with(defect)))
-    if (finding.is == Finding::wrong) wrong[finding.about] = finding.says;
-  return wrong;
-}
-
-/// A change of each body that moves, as the world begins.
-auto of_bodies(const std::function<void(Body&)>& change) {
-  return [change](World& world) {
-    for (Body& body : world.bodies) change(body);
-  };
-}
 
 struct InEnvironment {
   InEnvironment(const char* variable, const std::string& value) : name(variable) { setenv(name, value.c_str(), 1); }
@@ -90,69 +28,6 @@ struct InEnvironment {
 };
 
 }  // namespace
-
-TEST_CASE("a right engine answers all thirteen questions rightly") {
-  const auto all = findings_of(method_with({}));
-  CHECK(all.size() == 13);
-  for (const Finding& finding : all) {
-    INFO(finding.about << ": " << finding.says);
-    CHECK(finding.is == Finding::right);
-  }
-}
-
-TEST_CASE("each mistake is found where it is, and said as what it looks like") {
-  const auto found = [](const Defect& defect, const std::string& about, const std::string& part) {
-    const auto wrong = wrong_with(defect);
-    std::string all;
-    for (const auto& [where, says] : wrong) all += where + ": " + says + "\n";
-    INFO("looked for \"" << part << "\" about " << about << ", and found\n" << all);
-    REQUIRE(wrong.contains(about));
-    CHECK(contains(wrong.at(about), part));
-  };
-  const auto each_step = [](const std::function<void(Body&, Real h)>& change) {
-    return [change](World& world, Real h) {
-      for (Body& body : world.bodies) change(body, h);
-    };
-  };
-  found({.scale = 100}, "places", "100 times as far; lengths are in metres");
-  found({.begins = [](World& world) { world.gravity = {0, Real(-9.81), 0}; }}, "gravity",
-        "not always 9.81 m/s^2 downwards");
-  // (1 - exp(-0.1)) / 2: x = v (1 - exp(-c t)) / c
-  found({.after = each_step([](Body& body, Real h) { body.velocity *= 1 - Real(0.05) * h; })}, "damping",
-        "a linear damping of some 0.04");
-  found({.after = each_step([](Body& body, Real h) { body.angular_velocity *= 1 - Real(0.1) * h; })}, "turning",
-        "an angular damping of some 0.0");
-  found({.begins = of_bodies([](Body& body) {
-           body.principal_inverse_inertia *= 10;
-           body.refresh_inertia();
-         })},
-        "inertia", "inertia is that which the scene gives");
-  // As an engine without the gyroscopic torque: w += h I^-1 (w x I w) undoes what turning does to it.
-  found({.after = each_step([](Body& body, Real h) {
-           if (!body.movable()) return;
-           const Vec3 spin = body.inverse_inertia.inverse() * body.angular_velocity;
-           body.angular_velocity += h * (body.inverse_inertia * body.angular_velocity.cross(spin));
-         })},
-        "gyroscope", "not the angular velocity");
-  found({.begins = of_bodies([](Body& body) { body.friction *= body.friction; })}, "friction",
-        "give each body its square root");
-  found({.begins = of_bodies([](Body& body) { body.restitution *= body.restitution; })}, "restitution",
-        "the product of both");
-  found({.after = each_step([](Body& body, Real) {
-           if (body.velocity.norm() < Real(0.01)) body.velocity.setZero();
-         })},
-        "sleep", "it has fallen asleep");
-  found({.begins = of_bodies([](Body& body) { body.skin = Real(0.005); })}, "margins", "a margin around shapes");
-  found({.begins =
-             [](World& world) {
-               for (Joint& joint : world.joints) joint.colliding = true;
-             }},
-        "pinned pairs", "pinned pairs do not collide");
-  Real other = 0;
-  found({.begins = of_bodies([&other](Body& body) { body.position.x() += other += Real(1e-9); })}, "same bits",
-        "played twice");
-  found({.clock = [] { return 1.0; }}, "clock", "ms by its clock");
-}
 
 TEST_CASE("what an adapter says of a motion is what the engine behind it does, to the last bit", "[slow]") {
   const InEnvironment ours("PUSHBACK_ADAPTER", OURS_PROGRAM);
@@ -169,30 +44,12 @@ TEST_CASE("what an adapter says of a motion is what the engine behind it does, t
     REQUIRE(lines.size() == 2);
     const auto truth = motion.truth(motion.frames());
     for (const auto& [line, setting] : {std::pair{lines[0], Setting{2, 4}}, {lines[1], Setting{4, 2}}}) {
-      const double error = play(motion, truth, method_with({}), setting, {.at_least = 0}).error;
+      const Method ours_here{.name = "ours", .title = "", .begin = by_ours(Jointed{})};
+      const double error = play(motion, truth, ours_here, setting, {.at_least = 0}).error;
       CHECK(contains(line, fmt::format(" error {:.4e} ", error)));
       CHECK(contains(line, " row-solves –"));
     }
   }
-}
-
-TEST_CASE("the kit by an adapter: ours is right, and the template falls through the ground") {
-  {
-    const InEnvironment ours("PUSHBACK_ADAPTER", OURS_PROGRAM);
-    const Ended checked = call_program(MOTION_PROGRAM, "--check", 60);
-    INFO(checked.out << checked.err);
-    CHECK(checked.status == 0);
-    CHECK(contains(checked.out, "✓ friction: a box with 4 m/s slides"));
-    CHECK(contains(call_program(MOTION_PROGRAM, "--version").out, "Pushback through a pipe, through a pipe"));
-  }
-  const InEnvironment fresh("PUSHBACK_ADAPTER", TEMPLATE_PROGRAM);
-  const Ended checked = call_program(MOTION_PROGRAM, "--check");
-  INFO(checked.out << checked.err);
-  CHECK(checked.status == 1);
-  for (const char* const said :
-       {"✓ places", "✓ gravity", "✓ damping", "– turning: it says that it does not play this", "✗ friction",
-        "✗ restitution", "✗ margins", "they do not touch", "✓ sleep", "✓ same bits"})
-    CHECK(contains(checked.out, said));
 }
 
 TEST_CASE("an adapter that answers wrongly is told what was asked, what it said and what is needed") {

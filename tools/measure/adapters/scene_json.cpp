@@ -365,12 +365,7 @@ World scene_in(const std::filesystem::path& file) {
   } catch (const Json::exception& problem) {
     throw InvalidInput(fmt::format("{} is no JSON: {}", file.string(), problem.what()));
   }
-  if (!json.is_object() || !(json.contains("scene") || json.contains("pushback"))) return scene_of(json);
-  const From from(json, file.string());
-  from.has_only({"pushback", "version", "name", "title", "seconds", "frames_per_second", "truth", "hard_for", "starts",
-                 "criteria", "scene", "lacks"});
-  if (!from.has("scene")) throw InvalidInput(fmt::format("{} has no scene", file.string()));
-  return scene_of(json["scene"]);
+  return scene_of(json);
 }
 
 }  // namespace pushback

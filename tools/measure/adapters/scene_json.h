@@ -1,4 +1,4 @@
-/// A world as text that other programs read. docs/benchmark.md says what its fields are; benchmark.schema.json says which there must be.
+/// A world as text that other programs read. docs/benchmark.md says what its fields are.
 #pragma once
 
 #include <filesystem>
@@ -26,7 +26,7 @@ Json scene_json(const World& world);
 /// inertia of a uniform one in any case. Throws InvalidInput, which names the body or joint, the field, what it is and what is needed.
 World scene_of(const Json& json);
 
-/// The scene in a file: one by itself, or that of a motion or hard case. Throws InvalidInput where it is none.
+/// The scene in a file. Throws InvalidInput where it is none.
 World scene_in(const std::filesystem::path& file);
 
 /// Position, orientation and both velocities, and the body's index.

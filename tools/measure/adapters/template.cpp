@@ -2,7 +2,7 @@
 /// docs/benchmark.md says what is asked. Compile it by itself:
 ///
 ///   g++ -std=c++20 -O3 -ffp-contract=off template.cpp -o my_engine      (with the Debian package nlohmann-json3-dev)
-///   ./course run adapter my_engine                                          what it gets wrong
+///   ./course run adapter my_engine sliding template/16                      a motion in 16 substeps: how far from the truth
 #include <chrono>
 #include <cmath>
 #include <iostream>

@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <chrono>
 #include <cmath>
@@ -14,7 +13,6 @@
 #include "pushback/common/experiment/program.h"
 #include "pushback/tools/measure/results/csv.h"
 #include "pushback/tools/measure/study/every_motion.h"
-#include "pushback/tools/measure/study/kit.h"
 #include "pushback/tools/measure/study/stopwatch.h"
 
 namespace pushback {
@@ -162,20 +160,6 @@ Asked read(const std::string& asked, const Motion& motion, const std::vector<Met
   throw InvalidInput(fmt::format("method is '{}': one of {} plays {}", words[0], fmt::join(names, ", "), motion.name));
 }
 
-/// Returns whether nothing was wrong.
-bool check(const std::vector<Method>& methods) {
-  bool right = true;
-  for (const Method& method : methods) {
-    fmt::print("{}: {}; in {}\n", method.name, method.title, kit_setting(method));
-    for (const Finding& finding : findings_of(method)) {
-      fmt::print("  {} {}: {}\n", std::array{"✓", "✗", "–"}[finding.is], finding.about, finding.says);
-      right = right && finding.is != Finding::wrong;
-    }
-    std::fflush(stdout);
-  }
-  return right;
-}
-
 }  // namespace
 
 int play_program(int argc, const char* const* argv, const std::string& about, const std::string& version,
@@ -191,14 +175,7 @@ int play_program(int argc, const char* const* argv, const std::string& about, co
       .between(0.0, 60.0)
       .shows_default();
   line.option("--at-most", patience.at_most, "Each is given up after so long, s").between(0.0, 3600.0).shows_default();
-  bool checks = false, right = true;
-  line.flag("--check", checks,
-            "Nothing is played: thirteen plain questions, and what the engine does; exit status 1 where one is wrong");
-  const int status = line.run(argc, argv, [&] {
-    if (checks) {
-      right = check(methods);
-      return;
-    }
+  return line.run(argc, argv, [&] {
     require_between("--at-least", static_cast<Real>(patience.at_least), 0, 60);  // the ranges above let nan pass
     require_between("--at-most", static_cast<Real>(patience.at_most), 0, 3600);
     if (motion_name.empty()) {
@@ -226,7 +203,6 @@ int play_program(int argc, const char* const* argv, const std::string& about, co
       std::fflush(stdout);
     }
   });
-  return right ? status : 1;
 }
 
 }  // namespace pushback

@@ -74,8 +74,8 @@ study::Measured play(const Motion& motion, const std::vector<Places>& truth, con
 /// The program  NAME MOTION METHOD/SMALL-STEPS/SWEEPS ...  plays the motion in each of these settings and prints a line for each, as
 /// line_of has it. It is "lost" where a body was more than 10 km off, and "late" where it was given up, or not begun, as it asks for no
 /// less of either knob than one before it that was given up. Without a motion it lists the motions that there are, with one its
-/// methods; with --version it says which engine plays: `version`; with --check it answers kit.h's questions. Returns the exit status: 0; 2
-/// where a value cannot be used, and then nothing was played; 1 where an answer is wrong.
+/// methods; with --version it says which engine plays: `version`. Returns the exit status: 0; 2 where a value cannot be used, and then
+/// nothing was played.
 int play_program(int argc, const char* const* argv, const std::string& about, const std::string& version,
                  const std::vector<Method>& methods);
 
