@@ -91,7 +91,7 @@ class StepClassifier {
   /// Whether Fast moved the island in the step before, and may move it now.
   bool was_large(int island) const { return at(island).large && at(island).was_large; }
   /// Whether the substeps of a body are those of Fast.
-  bool is_moved_by_fast(int body) const { return by_fast_[std::size_t(body)]; }
+  bool is_moved_by_fast(int body) const { return std::size_t(body) < by_fast_.size() && by_fast_[std::size_t(body)]; }
   /// Marks an island whose bodies met unexpectedly.
   void mark_impact(int island) { at(island).impact = true; }
   /// Whether any pair is within the margin. Joints may pull such a pair together.
