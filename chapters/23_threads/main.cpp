@@ -183,8 +183,8 @@ int main(int argc, char** argv) {
       const Real by_colours = elsewhere(of_parts(colour_pairs, true), of_parts(colour_pairs, false)),
                  in_one_set = elsewhere(of_parts(all_in_one, true), of_parts(all_in_one, false));
       e.remark(fmt::format(
-          "Each set in four parts, done from the last to the first instead of from the first to the last: after "
-          "one step {} of {} boxes differ by colours, {} if all pairs are one set.",
+          "Each set has four parts, which are solved from the last to the first instead of from the first to the "
+          "last. After one step {} of {} boxes differ by colours, and {} if all pairs are one set.",
           by_colours, base * (base + 1) / 2, in_one_set));
       e.panel(at_best_by_boxes({2, 4, 8}));
     });
