@@ -8,9 +8,8 @@ namespace pushback {
 
 namespace {
 
-constexpr int waits_after_failing = 10;     // steps; twice as many after each further failure,
-constexpr int most_failures = 4;            // up to this many
-constexpr int most_detections_of_pile = 2;  // in a step: four would take half as long again
+constexpr int waits_after_failing = 10;  // steps; twice as many after each further failure,
+constexpr int most_failures = 4;         // up to this many
 constexpr int most_meetings = 8;      // in a step that is taken again for them; then the bodies that meet get substeps
 constexpr Real stiffest = Real(1e9);  // Hz: SoftContacts makes it the largest that substeps hold, 1 / (8 h)
 constexpr double of_resting_contact =
@@ -25,14 +24,10 @@ bool lets_in(const IslandWorld& island, const StepClassifier& classifier) {
                      [most](const Contact& at) { return !at.parted && at.depth > most; });
 }
 
-/// All bodies of a world whose contacts have been found for the first detection.
+/// All bodies of a world whose contacts have been found.
 struct WithFoundContacts : AllBodies {
   Contacts& found;
-  bool are_found = true;
-  void find_contacts(World& world, const Margin& margin) {
-    if (std::exchange(are_found, false)) world.contacts.swap(found);
-    else AllBodies::find_contacts(world, margin);
-  }
+  void find_contacts(World& world, const Margin& /*margin*/) const { world.contacts.swap(found); }
 };
 
 /// Half of the kick, the drift, and the other half.
@@ -55,7 +50,7 @@ void IslandSolver::whole_step(World& world, Real dt, int sweeps) {
   substep_solver.SubsteppingSolver::check(world, dt);
   pile_solver.SubsteppingSolver::check(world, dt);
   const Plan plan = substep_solver.plan(dt);
-  contacts_.find(world, plan, dt);
+  contacts_.find(world, classifier_, plan, dt);
   memory_.resize(world.bodies.size());
   for (IslandMemory& memory : memory_) memory.waits = std::max(0, memory.waits - 1);
   spent_.assign(world.bodies.size(), 0);
@@ -220,12 +215,7 @@ void IslandSolver::step_piles(const World& world, Real dt, int sweeps) {
     IslandWorld& island = islands_[i];
     if (!classifier_.is_moved_by_fast(island.lowest())) continue;
     island.copy_bodies(world);
-    Real fastest = 0;
-    for (const Body& body : island.world.bodies)
-      if (body.movable()) fastest = std::max(fastest, body.angular_velocity.norm());
-    const int times = std::min(most_detections_of_pile, detections(fastest, limits, dt));
-    Plan plan = pile_solver.plan(dt / static_cast<Real>(times));
-    plan.detections = times;
+    const Plan plan = pile_solver.plan(dt);
     WithFoundContacts bodies{{&plan.workers->of_bodies(island.world.bodies.size())}, island.found};
     pushback::step(island.world, pile_solver, plan, dt, sweeps, bodies);
     island.held = true;

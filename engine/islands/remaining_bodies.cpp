@@ -15,13 +15,12 @@ bool remains(const Body& body, const StepClassifier& classifier) {
   return classifier.step_of(body.index) == StepType::substeps && !classifier.is_moved_by_fast(body.index);
 }
 
-/// The remaining bodies, as World::step knows them, in a world whose contacts have been found.
+/// The remaining and the immovable bodies, as World::step knows them, in a world whose contacts have been found.
 struct Remaining {
-  const StepClassifier& classifier;
+  const std::vector<int>& bodies;  // their indices, ascending
   Contacts& found;
   bool are_found = true;  // for the first detection only
 
-  bool contain(const Body& body) const { return remains(body, classifier); }
   static void check(const World&) {}
   void find_contacts(World& world, const Margin& margin) {
     if (are_found) world.contacts.swap(found);
@@ -29,20 +28,16 @@ struct Remaining {
     are_found = false;
   }
   void find_again(World& world, const Margin& margin) const {
-    std::vector<int> here;
-    for (const Body& body : world.bodies)
-      if (!body.movable() || contain(body)) here.push_back(body.index);
     world.contacts.clear();
     const JoinedPairs joined(world.joints);
-    for (const auto& [first, second] : near_pairs(world.bodies, here, margin)) {
+    for (const auto& [first, second] : near_pairs(world.bodies, bodies, margin)) {
       const Body &a = world.body(first), &b = world.body(second);
       if (may_touch(a, b) && !joined.contain(first, second)) collide(a, b, world.contacts, margin);
     }
   }
   template <class Act>
   void each(World& world, const Act& act) const {
-    for (Body& body : world.bodies)
-      if (!body.movable() || contain(body)) act(body);
+    for (const int body : bodies) act(world.bodies[std::size_t(body)]);
   }
   static void end(World&, Real /*dt*/) {}
 };
@@ -108,8 +103,7 @@ class RemainingBodies::Absence {
 
 SolveStats RemainingBodies::step(World& world, const StepClassifier& classifier, Contacts& found,
                                  const SubstepPass& pass) {
-  Remaining remaining{classifier, found};
-  const auto contained = [&](const Body& body) { return remaining.contain(body); };
+  const auto contained = [&](const Body& body) { return remains(body, classifier); };
   if (std::none_of(world.bodies.begin(), world.bodies.end(), contained)) {
     step_immovable(world, pass.runner, pass.dt);
     return {};
@@ -126,6 +120,10 @@ SolveStats RemainingBodies::step(World& world, const StepClassifier& classifier,
   plan.detections = times;
   {
     const Absence absence(*this, world, classifier);
+    std::vector<int> bodies;
+    for (const Body& body : world.bodies)
+      if (!body.movable() || contained(body)) bodies.push_back(body.index);
+    Remaining remaining{bodies, found};
     pushback::step(world, pass.runner, plan, pass.dt, pass.sweeps, remaining);
   }
   return pass.runner.stats();

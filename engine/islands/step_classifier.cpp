@@ -160,7 +160,8 @@ void StepClassifier::read_contacts(const World& world, const Contacts& contacts,
       island.impact |= approach > threshold && (gap > apart || approach > falls);
     }
     const auto [a, b] = world.bodies_of(nearest);
-    if (corners_arrive(a, b, nearest.normal, dt, threshold, falls)) {  // where no contact is yet
+    const bool counted = acting > 0 && island.impact;
+    if (!counted && corners_arrive(a, b, nearest.normal, dt, threshold, falls)) {  // where no contact is yet
       acting = std::max(acting, 1);
       island.impact = true;
     }
@@ -203,7 +204,8 @@ void StepClassifier::read_bodies(const World& world, Real turn) {
     if (island.turning < 0 && body.angular_velocity.norm() > turn) island.turning = body.index;
     island.fastest = std::max(island.fastest, (body.velocity - island.ground_velocity.value_or(Vec3::Zero())).norm());
     island.kept &= step_of(body.index) == StepType::half_steps;
-    island.was_large &= by_fast_[std::size_t(body.index)];
+    ++island.bodies;
+    island.by_fast += by_fast_[std::size_t(body.index)];
   }
 }
 
@@ -212,7 +214,7 @@ void StepClassifier::find_large(const World& world, const Contacts& contacts, co
   bool any = false;
   for (Island& island : by_island_) {
     island.large = island.may_be_large && island.joints == 0 &&
-                   island.contacts >= (island.was_large ? limits.large / 2 : limits.large);
+                   island.contacts >= (island.was_large() ? limits.large / 2 : limits.large);
     any |= island.large;
   }
   if (!any) return;
@@ -220,7 +222,7 @@ void StepClassifier::find_large(const World& world, const Contacts& contacts, co
   for (const Body& body : world.bodies) {
     if (!body.movable()) continue;
     Island& island = at(island_of(body.index));
-    const int most = limits.most_layers + (island.was_large ? 2 : 0);
+    const int most = limits.most_layers * (island.was_large() ? 2 : 1);
     island.large &= layers[std::size_t(body.index)] <= most;
   }
   for (const Contact& contact : contacts) {

@@ -58,7 +58,8 @@ struct ClassifierLimits {
   Real turn = Real(0.04);   ///< rad: in an island with many contacts, bodies that turn further in a step get substeps
   int most_meeting = 40;    ///< contacts of bodies that meet in one point each, such as balls, which part at once
   /// Contacts of a large island. After a second nothing predicts where its bodies are, so only overlap, energy and rest count, and while it
-  /// moves Fast moves it, unless it is more than `most_layers` bodies high. Half as many contacts are enough if Fast moved it before.
+  /// moves Fast moves it, unless it is more than `most_layers` bodies high. If Fast moved most of it before, half as many contacts are enough,
+  /// and twice as many layers are allowed, because in a pile that falls the shortest way to the ground is long for a moment.
   int large = 256;
   int most_layers = 20;  ///< Fast's springs carry 24 boxes on top of each other (chapter 12, tall columns)
   /// Of two masses near each other. A box lies 0.07 mm deep on Fast's springs, and under n times its own load n times as deep.
@@ -88,8 +89,8 @@ class StepClassifier {
   int island_of(int body) { return islands_.island_of(body); }
   /// Whether bodies may meet in this step.
   bool impact(int island) const { return at(island).impact; }
-  /// Whether Fast moved the island in the step before, and may move it now.
-  bool was_large(int island) const { return at(island).large && at(island).was_large; }
+  /// Whether Fast moved most of the island in the step before, and may move it now.
+  bool was_large(int island) const { return at(island).large && at(island).was_large(); }
   /// Whether the substeps of a body are those of Fast.
   bool is_moved_by_fast(int body) const { return std::size_t(body) < by_fast_.size() && by_fast_[std::size_t(body)]; }
   /// Marks an island whose bodies met unexpectedly.
@@ -124,12 +125,13 @@ class StepClassifier {
     bool impact = false, many = false;
     bool large = false, may_be_large = true;
     bool kept = true;                       // all of its bodies had half steps in the step before
-    bool was_large = true;                  // Fast moved all of them
+    int bodies = 0, by_fast = 0;            // those that move, and those of them that Fast moved in the step before
     StepReason refused = StepReason::none;  // the first reason why half steps cannot move it
     int turning = -1;                       // the first body that turns fast
     int cause = -1;
     int limit = 0;  // of its contacts
 
+    bool was_large() const { return 2 * by_fast > bodies; }
     void refuse(StepReason why, int of = -1) {
       if (refused == StepReason::none) refused = why, cause = of;
       may_be_large &=

@@ -18,7 +18,7 @@ bool lower(const Contact& first, const Contact& second) {
 
 }  // namespace
 
-void StepContacts::find(World& world, const Plan& plan, Real dt) {
+void StepContacts::find(World& world, const StepClassifier& before, const Plan& plan, Real dt) {
   start_from_last_substep(world);
   before_.swap(world.contacts);
   world.find_contacts(plan.margin, plan.workers->of_bodies(world.bodies.size()));
@@ -29,7 +29,7 @@ void StepContacts::find(World& world, const Plan& plan, Real dt) {
   for (const Body& body : world.bodies) {
     const Real tips = way_of_tips(body, dt);
     ways.push_back(dt * body.velocity.norm() + tips);
-    turns.push_back(tips > plan.margin.least / 2);
+    turns.push_back(tips > plan.margin.least / 2 && !before.is_moved_by_fast(body.index));
   }
   for (const Joint& joint : world.joints)  // only steps of free bodies are cut
     for (const int body : {joint.a, joint.b})

@@ -239,8 +239,7 @@ TEST_CASE("the committed tables are those of the committed measurements") {
 TEST_CASE("the study refuses what it cannot do, before it has written anything") {
   const Scratch scratch;
   for (const auto& [arguments, part] : std::vector<std::pair<std::string, std::string>>{
-           {"--only nothing", "'nothing'"},
-           {"--renew within", "study.csv"}}) {
+           {"--only nothing", "'nothing'"}, {"--renew within", "study.csv"}}) {
     const Ended ended = call_program(STUDY_PROGRAM, arguments + " --out '" + (scratch / "out").string() + "'");
     INFO(arguments << ": " << ended.err);
     CHECK(ended.status == 2);

@@ -94,6 +94,18 @@ TEST_CASE("large piles: one that is Fast's stays so until half of its contacts a
   CHECK_FALSE(is_moved_by_fast(world, IslandSolver()));
 }
 
+TEST_CASE("large piles: one that is Fast's may grow twice as high, also by bodies that join it") {
+  World world = wall(12, 20);
+  IslandSolver solver;
+  world.step(solver, h);
+  REQUIRE(solver.classifier().is_moved_by_fast(1));
+  const Body& top = world.bodies[20];
+  world.add(box(Vec3::Constant(Real(0.5)), 100).at(top.position + Vec3(0, 1, 0)).moving(top.velocity));
+  CHECK_FALSE(is_moved_by_fast(world, IslandSolver()));
+  world.step(solver, h);
+  CHECK(solver.classifier().is_moved_by_fast(1));
+}
+
 TEST_CASE("large piles: a wall that slides comes to rest, on the path of its centre of mass") {
   World world = wall(40, 2, 2);
   IslandSolver solver;

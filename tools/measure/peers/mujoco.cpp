@@ -460,11 +460,10 @@ Method method(const std::string& name, const std::string& title, const Choice& c
               [what, bounces = choice.bounces, sparse = choice.solver == "CG"](const Motion& motion) {
                 World world;
                 motion.fill(world);  // MuJoCo has no restitution, but springs
-                return (world.bodies.back().restitution > 0) == bounces &&
-                       (is_current || !has_conveyor(motion)) &&
+                return (world.bodies.back().restitution > 0) == bounces && (is_current || !has_conveyor(motion)) &&
                        // Among a thousand bodies a step by a matrix takes minutes; 2.2.2 has no room for the rows.
-                       (few_bodies(motion) || (is_current && sparse)) &&
-                       (what != For::pins || !motion.pins.empty()) && (what != For::friction || has_contacts(motion));
+                       (few_bodies(motion) || (is_current && sparse)) && (what != For::pins || !motion.pins.empty()) &&
+                       (what != For::friction || has_contacts(motion));
               },
           .begin =
               [choice](const World& world, const Setting& setting) {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pushback/tools/measure/results/markdown.h"
 #include "pushback/tools/measure/results/machine.h"
+#include "pushback/tools/measure/results/markdown.h"
 #include "pushback/tools/measure/study/choice.h"
 #include "pushback/tools/measure/study/limits.h"
 
