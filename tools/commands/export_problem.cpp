@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
   int steps = 0;
   line.option("scene", name, "A scene by its name").required();
   line.option("file", file, "The file to write").required();
-  line.option("--step", steps, "How many steps of 1/60 s, of 10 sweeps, go before the one that is written")
+  line.option("--step", steps, "Number of steps of 1/60 s, with 10 sweeps each, before the one that is written")
       .between(0, 1000000)
       .shows_default();
   line.ends_with(fmt::format("The scenes: {}", fmt::join(names_of(scenes), ", ")));

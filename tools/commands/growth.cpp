@@ -72,10 +72,10 @@ int main(int argc, char** argv) {
   double tolerance = 1e-8;
   bool largest = false, heaped = false;
   std::vector<std::string> files;
-  line.option("file", files, "Contact problems in the format of Siconos to solve as well");
+  line.option("file", files, "Contact problems to solve as well, in the format of Siconos");
   line.option("--tolerance", tolerance, "The relative residual that is good enough").between(0.0, 1e6).shows_default();
-  line.flag("--largest", largest, "A pyramid of 2016 boxes as well, 15,876 contacts");
-  line.flag("--heap", heaped, "A heap of 1000 boxes as well: a minute");
+  line.flag("--largest", largest, "Also solve a pyramid of 2016 boxes, which has 15,876 contacts");
+  line.flag("--heap", heaped, "Also solve a heap of 1000 boxes, which takes a minute");
   return line.run(argc, argv, [&] {
     std::vector<ContactProblem> problems;  // all read before anything is solved
     for (const std::string& file : files) problems.push_back(read_problem_file(file));

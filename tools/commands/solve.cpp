@@ -93,19 +93,21 @@ int main(int argc, char** argv) {
   CommandLine line("Contact problems in the format of Siconos: how well a method solves them.");
   Asked asked;
   line.option("file", asked.files, "Files of contact problems").required();
-  line.option("--method", asked.method, "How; pivoting leaves friction out")
+  line.option("--method", asked.method, "The method; pivoting leaves friction out")
       .one_of(methods_to_ask_for())
       .shows_default();
-  line.option("--sweeps", asked.sweeps, "At most; smoothed, best and pivoting take what they need")
+  line.option("--sweeps", asked.sweeps,
+              "Largest number of sweeps; smoothed, best and pivoting take as many as they need")
       .between(0, 100000000)
       .shows_default();
   line.option("--tolerance", asked.tolerance, "The relative residual that is good enough")
       .between(0.0, 1e6)
       .shows_default();
-  const CommandLine::Option table =
-      line.flag("--table", asked.table, "A row a file: all methods after 10 / 100 / 1000 sweeps, smoothed and best");
-  line.flag("--laws", asked.laws, "A row a method: by how much it breaks each law after --sweeps").without(table);
-  line.option("--write", asked.write, "Where r and u are written to, six numbers a contact");
+  const CommandLine::Option table = line.flag(
+      "--table", asked.table, "A row per file, with all methods after 10 / 100 / 1000 sweeps, smoothed and best");
+  line.flag("--laws", asked.laws, "A row per method, with the amount by which it breaks each law after --sweeps")
+      .without(table);
+  line.option("--write", asked.write, "The file for r and u, six numbers per contact");
   return line.run(argc, argv, [&] {
     if (!asked.write.empty()) check_place_of_solution(asked);
     std::vector<ContactProblem> problems;  // all read before anything is solved

@@ -7,7 +7,7 @@ namespace student {
 
 using namespace pushback;
 
-/// The part beta of the overlap should be gone after a step of h seconds, but the push-out is no faster than `cap`, m/s.
+/// A step of h seconds should remove the fraction beta of the overlap, but the push-out is no faster than `cap`, m/s.
 ///
 /// You read   normal.separation   C, m: negative where the bodies overlap, positive where they are still apart
 /// and set    normal.bias         b, m/s: minus the target separating speed, which another effect may have set already

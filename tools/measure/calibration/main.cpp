@@ -142,8 +142,9 @@ int main(int argc, char** argv) {
   bool find = false;
   int most = 2000;
   std::string out = "renders/here";
-  line.option("--scenes", most, "Only so many of each").between(1, 2000).shows_default();
-  line.flag("--find-truth", find, "Finds the true places anew, which takes 20 minutes, and writes them to the sources");
+  line.option("--scenes", most, "Largest number of scenes of each kind").between(1, 2000).shows_default();
+  line.flag("--find-truth", find,
+            "Find the true positions again, which takes 20 minutes, and write them to the sources");
   line.option("--out", out, "The folder to write to").shows_default();
   return line.run(argc, argv, [&] {
     if (find) {

@@ -183,10 +183,12 @@ int main(int argc, char** argv) {
   int repeats = 3;
   std::string out = "renders/here";
   line.flag("--work", work, "Only the scenes that the predictions were tuned on");
-  line.option("--seconds", seconds, "So long the chapters' scenes and the hard cases are played")
+  line.option("--seconds", seconds, "How long the chapters' scenes and the hard cases are played, s")
       .between(0.1, 60.0)
       .shows_default();
-  line.option("--repeats", repeats, "The fastest of so many plays counts").between(1, 100).shows_default();
+  line.option("--repeats", repeats, "Number of plays of each scene; the fastest counts")
+      .between(1, 100)
+      .shows_default();
   line.option("--out", out, "The folder to write to").shows_default();
   return line.run(argc, argv, [&] {
     const fs::path folder = fs::path(out) / "27_which_error";

@@ -51,14 +51,15 @@ int main(int argc, char** argv) {
   std::string folder, out = "renders";
   bool quick = false, redraw = false, large = false;
   line.flag("--quick", quick, "Seconds instead of minutes");
-  line.flag("--redraw", redraw, "Nothing is solved: pictures of what is in frozen.csv");
+  line.flag("--redraw", redraw, "Solve nothing, and draw the pictures from frozen.csv");
   line.flag("--large", large,
-            "Problems of hundreds and thousands of contacts instead, each once, into large.md: minutes");
-  line.option("--problems", folder, "A folder of contact problems (*.dat) to solve beside our own")
+            "Solve problems of hundreds and thousands of contacts instead, each once, which takes minutes, and write "
+            "large.md");
+  line.option("--problems", folder, "A folder of contact problems (*.dat) to solve in addition to our own")
       .from_environment("PUSHBACK_PROBLEMS");
-  line.option("--out", out, "Where the folder 19_accuracy_and_time is written to").shows_default();
+  line.option("--out", out, "The folder in which the folder 19_accuracy_and_time is written").shows_default();
   return line.run(argc, argv, [&] {
-    if (large && redraw) throw InvalidInput("--large goes without --redraw: it has no pictures");
+    if (large && redraw) throw InvalidInput("--large cannot be combined with --redraw, because it has no pictures");
     const std::filesystem::path to = std::filesystem::path(out) / "19_accuracy_and_time";
     if (redraw) {
       draw(read_frozen_csv(read_text_file(to / "frozen.csv")), to);

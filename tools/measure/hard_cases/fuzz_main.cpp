@@ -15,14 +15,15 @@ int main(int argc, char** argv) {
   int scenes = 500;
   line.option("--stage", only, "Stages, separated by commas").split_at_commas().one_of(fuzzed_stages());
   line.option("--first", first, "The first seed").shows_default();
-  line.option("--scenes", scenes, "How many seeds from there on").between(1, 1000000).shows_default();
+  line.option("--scenes", scenes, "Number of seeds, from the first one on").between(1, 1000000).shows_default();
   std::set<std::uint64_t> known;
-  line.option("--known", known, "Seeds that are known to fail; one that does not is a failure too").split_at_commas();
+  line.option("--known", known, "Seeds that are known to fail; if one of them passes, this counts as a failure too")
+      .split_at_commas();
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  line.option("--jobs", jobs, "So many threads; the results do not depend on it")
+  line.option("--jobs", jobs, "Number of threads; the results do not depend on it")
       .between(1, ThreadPool::most_threads)
       .shows_default();
-  const CommandLine::Option one = line.option("--seed", seed, "Only this scene, and print every step");
+  const CommandLine::Option one = line.option("--seed", seed, "Play only this scene, and print every step");
   return line.run(argc, argv, [&] {
     const bool replay = one.given();
     if (replay) {

@@ -20,10 +20,9 @@ int main(int argc, char** argv) {
                    "hard_cases_table");
   std::string library;
   bool quick = false;
-  line.flag("--quick", quick, "Only the chapters' stages, without the stages that came after");
-  line.option(
-      "--mine", library,
-      "A solver as a shared object, as one more column 'mine'; each of its cases is played by a process of its own");
+  line.flag("--quick", quick, "Only the chapters' stages, without the later stages");
+  line.option("--mine", library,
+              "A solver as a shared object, added as a column 'mine'; each of its cases is played in its own process");
   return table_program(argc, argv, line, [&] {
     TableKind kind{.stages = table_stages(), .whole = library.empty() && !quick};
     if (quick) kind.stages.erase(kind.stages.begin() + chapter_stages, kind.stages.end());

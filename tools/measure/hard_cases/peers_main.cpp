@@ -12,8 +12,7 @@ namespace fs = std::filesystem;
 int main(int argc, char** argv) {
   CommandLine line("Every hard case under other engines, each as it comes and tuned, beside ours.", "hard_cases_peers");
   std::string adapter;
-  line.option("--adapter", adapter,
-              "A program that hands cases to another engine: its settings, in the place of all others");
+  line.option("--adapter", adapter, "A program that hands cases to another engine, whose settings replace all others");
   return table_program(argc, argv, line, [&] {
     TableKind kind{.file = "peers",
                    .times = "peers_times.csv",

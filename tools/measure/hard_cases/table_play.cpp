@@ -96,9 +96,9 @@ int program_apart(int argc, const char* const* argv, const std::function<Stage(c
   CommandLine line("Plays a hard case under one stage, for a program that makes a table.");
   std::string setting, name, out;
   int starts = many_starts;
-  line.option("--setting", setting, "Which stage, or which solver").required();
+  line.option("--setting", setting, "The stage or the solver").required();
   line.option("--hard-case", name, "The case").required();
-  line.option("--starts", starts, "At most so many starts").between(1, many_starts);
+  line.option("--starts", starts, "Largest number of starts").between(1, many_starts);
   line.option("--out", out, "The folder for table.csv and times.csv").required();
   return line.run(argc, argv, [&] {
     HardCase hard_case = hard_case_named(name);

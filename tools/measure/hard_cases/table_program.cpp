@@ -172,22 +172,23 @@ int table_program(int argc, const char* const* argv, CommandLine& line, const st
   line.option("--stages", options.stages, "Only these columns, by their names or a part of them, separated by commas")
       .split_at_commas();
   line.option("--out", options.out,
-              "Where the folder of the table is made; what is not the whole table goes to its folder part")
+              "The folder in which the folder of the table is made; a part of the table goes to its subfolder part")
       .shows_default();
-  line.option("--jobs", options.jobs, "So many threads; the results do not depend on it")
+  line.option("--jobs", options.jobs, "Number of threads; the results do not depend on it")
       .between(1, 256)
       .shows_default();
   line.option("--starts", options.starts,
-              "At most so many starts of the cases at a knife's edge; with fewer than 30 not the whole table")
+              "Largest number of starts of the cases at a knife's edge; fewer than 30 make only a part of the table")
       .between(1, many_starts)
       .shows_default();
   const auto at_most =
-      line.option("--at-most", patience, "A case that a process of its own plays is given up after so long, s")
+      line.option("--at-most", patience, "Time after which a case that is played in its own process is given up, s")
           .between(0.1, 36000.0);
   line.flag("--renew", options.renew,
-            "The other pairs stay as they are in the whole table's CSV file; only those named are played");
-  line.flag("--no-images", options.no_images, "No picture");
-  line.flag("--redraw", options.redraw, "Nothing is played: the page and picture of the whole table's CSV file");
+            "Play only the named pairs, and keep all others as they are in the whole table's CSV file");
+  line.flag("--no-images", options.no_images, "Draw no picture");
+  line.flag("--redraw", options.redraw,
+            "Play nothing, and make the page and the picture from the whole table's CSV file");
   line.flag("--list", options.list, "List the cases and the columns, and do nothing");
   bool ended = true;
   const int status = line.run(argc, argv, [&] {

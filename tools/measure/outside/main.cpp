@@ -71,8 +71,8 @@ int main(int argc, char** argv) {
   double at_most = 60;
   line.option("SCENE", names, "Only these scenes");
   line.option("--out", out, "The folder to write to").shows_default();
-  line.option("--from", from, "Play nothing: the tables of this scenes_from_outside.csv");
-  line.option("--at-most", at_most, "A solver gives up a scene after so many seconds")
+  line.option("--from", from, "Play nothing, and make the tables from this scenes_from_outside.csv");
+  line.option("--at-most", at_most, "Time after which a solver gives up a scene, s")
       .between(1.0, 3600.0)
       .shows_default();
   return line.run(argc, argv, [&] {

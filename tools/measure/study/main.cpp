@@ -141,19 +141,19 @@ void measure_and_draw(const Asked& asked, const std::filesystem::path& programs)
 int main(int argc, char** argv) {
   CommandLine line("What accuracy costs in time: all motions in all settings, timed round after round.");
   Asked asked;
-  line.flag("--quick", asked.quick, "Fewer settings, fewer rounds: in two minutes");
-  line.flag("--peers", asked.others, "The other engines as well, those that were built");
+  line.flag("--quick", asked.quick, "Use fewer settings and fewer rounds, which takes two minutes");
+  line.flag("--peers", asked.others, "Also measure the other engines, as far as they are built");
   line.flag("--methods", asked.methods,
-            "The methods of docs/methods.md and some of ours, into methods/ in that folder");
-  line.option("--mine", asked.mine, "A solver as a shared object, as one more engine");
-  line.option("--adapter", asked.adapter, "A program that hands motions to another engine, as one more engine");
+            "Measure the methods of docs/methods.md and some of ours, and write to methods/ in the folder of --out");
+  line.option("--mine", asked.mine, "A solver as a shared object, measured as one more engine");
+  line.option("--adapter", asked.adapter, "A program that hands motions to another engine, which is measured too");
   line.flag(
       "--resume", asked.resume,
-      "Motions that study.csv in that folder has stay as they are, of a run that was ended; the others are measured");
-  line.flag("--redraw", asked.redraw, "Nothing is measured: pictures and tables of what is in study.csv");
+      "Continue a run that was ended: keep the motions in study.csv of the folder of --out, and measure the others");
+  line.flag("--redraw", asked.redraw, "Measure nothing, and make the pictures and tables from study.csv");
   line.option("--renew", asked.renew,
-              "within, motion_mujoco: only this method or engine is measured; all else in study.csv stays as it is");
-  line.option("--only", asked.only, "These motions");
+              "within, motion_mujoco: measure only this method or engine, and keep the rest of study.csv");
+  line.option("--only", asked.only, "Measure only these motions");
   line.option("--out", asked.out, "The folder to write to").shows_default();
   return line.run(argc, argv,
                   [&] { measure_and_draw(asked, std::filesystem::canonical("/proc/self/exe").parent_path()); });

@@ -169,12 +169,15 @@ int play_program(int argc, const char* const* argv, const std::string& about, co
   std::string motion_name;
   std::vector<std::string> settings;
   Patience patience;
-  line.option("motion", motion_name, "What is played; without, the motions are listed");
-  line.option("settings", settings, "METHOD/SMALL-STEPS/SWEEPS ...; without, the motion's methods are listed");
-  line.option("--at-least", patience.at_least, "Each is played again until that took so long, s")
+  line.option("motion", motion_name, "The motion to play; without it, list the motions");
+  line.option("settings", settings, "METHOD/SMALL-STEPS/SWEEPS ...; without them, list the motion's methods");
+  line.option("--at-least", patience.at_least,
+              "Shortest total time for which each setting is played again and again, s")
       .between(0.0, 60.0)
       .shows_default();
-  line.option("--at-most", patience.at_most, "Each is given up after so long, s").between(0.0, 3600.0).shows_default();
+  line.option("--at-most", patience.at_most, "Time after which a setting is given up, s")
+      .between(0.0, 3600.0)
+      .shows_default();
   return line.run(argc, argv, [&] {
     require_between("--at-least", static_cast<Real>(patience.at_least), 0, 60);  // the ranges above let nan pass
     require_between("--at-most", static_cast<Real>(patience.at_most), 0, 3600);

@@ -130,10 +130,12 @@ int main(int argc, char** argv) {
   bool redraw = false;
   std::vector<std::string> renew;
   std::string out = "renders/here";
-  line.option("--rounds", rounds, "Each plays so often, in turn; times are medians").between(1, 1000).shows_default();
+  line.option("--rounds", rounds, "How often each engine plays, in turn; times are medians")
+      .between(1, 1000)
+      .shows_default();
   line.option("--renew", renew,
-              "These motions are measured, by the engines that are built; the rest of prices.csv stays");
-  line.flag("--redraw", redraw, "Nothing is measured: the table of what is in prices.csv");
+              "Measure these motions with the engines that are built, and keep the rest of prices.csv");
+  line.flag("--redraw", redraw, "Measure nothing, and make the table from prices.csv");
   line.option("--out", out, "The folder to write to").shows_default();
   return line.run(argc, argv, [&] {
     const fs::path folder = fs::path(out) / "26_to_each_its_own", file = folder / "prices.csv";
