@@ -28,9 +28,9 @@ struct RowByRow {
   std::vector<State> states;  ///< before the first row, and after each; consecutive rows of a contact count as one
 
   void add(World world, std::vector<Row> rows, int solved);
-  /// The contacts' points, and of each state the words beside each contact and a sentence on what has changed, as JSON.
+  /// The contacts' points, and for each state the text next to each contact and a sentence on the latest change, as JSON.
   std::string in_json() const;
-  /// A state, seen from the front. An arrow shows what is left of the relative velocity at a contact that is not solved.
+  /// A state, seen from the front. An arrow shows the remaining relative velocity at each contact that is not solved yet.
   Picture picture(std::size_t state, const Camera& camera) const;
 };
 

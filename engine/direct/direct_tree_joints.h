@@ -13,7 +13,7 @@ namespace pushback {
 /// are connected by moving bodies goes to `trees` if there is one path from each body to each other, and to `loops` if there
 /// are two.
 struct DirectTreeJoints : Effect, SupportsJoints, UpdatesGeometry {
-  Real beta = Joints{}.beta;  ///< of both
+  Real beta = Joints{}.beta;  ///< of the joints in trees and in loops
   SplitDirectJoints trees;
   SteadyJoints loops;
 
@@ -57,7 +57,7 @@ struct DirectTreeJoints : Effect, SupportsJoints, UpdatesGeometry {
   void assign_joints(const World& world);
 
   std::vector<JoinedBodies> bodies_;       // of each joint
-  std::vector<bool> in_trees_, in_loops_;  // each joint
+  std::vector<bool> in_trees_, in_loops_;  // whether each joint is in a tree, and in a loop
 };
 
 }  // namespace pushback

@@ -61,7 +61,7 @@ struct ConeStep {
   }
 };
 
-/// Refers to the problem, which must outlive it.
+/// Keeps a reference to the problem, which must outlive it.
 template <class TangentStep>
 class Sweeper {
  public:

@@ -10,7 +10,7 @@
 
 namespace pushback {
 
-/// Two bodies that touch. Their `count` contacts follow each other in World::contacts, from `first` on.
+/// Two bodies that touch. Their `count` contacts are consecutive in World::contacts, from `first` on.
 struct TouchingPair {
   std::size_t a, b;  ///< their indices
   std::size_t first, count;
