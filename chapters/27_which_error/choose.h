@@ -10,7 +10,7 @@
 namespace pushback {
 
 /// Plays a scene within an error, or with the least error for a time. Prints the predicted time and error, then the measured ones,
-/// compared with finer steps, and writes pictures to OUT/choose/SCENE/. Reads its own arguments; argv[0] is the name of the command.
+/// compared with finer steps, and writes pictures to OUT/choose/SCENE/. Reads its own arguments, where argv[0] is the command's name.
 /// The name of the scene is optional if there is only one. Returns the program's exit status, as Experiment::run does.
 int choose(const std::vector<Scene>& scenes, int argc, const char* const* argv);
 
