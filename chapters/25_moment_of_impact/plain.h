@@ -38,7 +38,7 @@ inline void cut_step(Ball& ball, Real g, Real h) {
   fly(ball, g, left);
 }
 
-/// Chapter 24's step: a ball that ends below the ground is placed on it and bounces at the end of the step.
+/// Chapter 24's step, in which a ball that ends below the ground is placed on it and bounces at the end of the step.
 inline void late_step(Ball& ball, Real g, Real h) {
   fly(ball, g, h);
   if (ball.y >= 0) return;

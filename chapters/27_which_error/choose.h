@@ -14,7 +14,7 @@ namespace pushback {
 /// The name of the scene is optional if there is only one. Returns the program's exit status, as Experiment::run does.
 int choose(const std::vector<Scene>& scenes, int argc, const char* const* argv);
 
-/// The same, but a scene can also be a file: a name that ends in .json is passed to `read`.
+/// The same, but a scene can also be a file. A name that ends in .json is passed to `read`.
 int choose_or_read(const std::vector<Scene>& scenes, const std::function<World(const std::filesystem::path&)>& read,
                    int argc, const char* const* argv);
 

@@ -8,10 +8,10 @@ namespace pushback {
 
 /// Replaces SteadyJoints in a solver that relaxes (chapter 12).
 ///
-/// The rows of a loop may contradict each other: a cloth has more rows than its particles have degrees of freedom. An exact
-/// solution of such rows has arbitrarily large speeds, but sweeps leave a small error in each row. So each group of joints that
-/// are connected by moving bodies goes to `trees` if there is one path from each body to each other, and to `loops` if there
-/// are two.
+/// The rows of a loop may contradict each other, because a cloth, for example, has more rows than its particles have degrees of
+/// freedom. An exact solution of such rows has arbitrarily large speeds, but sweeps leave a small error in each row. So each group
+/// of joints that moving bodies connect goes to `trees` if there is a single path from each body to each other, and otherwise to
+/// `loops`.
 struct DirectTreeJoints : Effect, SupportsJoints, UpdatesGeometry {
   Real beta = Joints{}.beta;  ///< of the joints in trees and in loops
   SplitDirectJoints trees;

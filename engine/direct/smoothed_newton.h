@@ -7,7 +7,7 @@
 ///
 ///   x = (y + sqrt(y^2 + 4 t^2 e)) / 2,   z = (-y + sqrt(y^2 + 4 t^2 e)) / 2,   so x - z = y and x o z = t^2 e,
 ///
-/// where the square root acts on the two eigenvalues y_n -+ |y_t| of y. For each t > 0 both are inside of the cone, as in an
+/// where the square root acts on the two eigenvalues y_n -+ |y_t| of y. For each t > 0 both are inside the cone, as in an
 /// interior point method, and
 ///
 ///   W x + q - z + |z_t| n = 0

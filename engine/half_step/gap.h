@@ -11,8 +11,8 @@ struct Gap {
   Vec3 normal;    ///< unit, world axes, from A to B, the direction of the distance
 };
 
-/// At most one of the bodies may be a half-space, and at least one must be movable. If the cores overlap, the result is that of
-/// collision detection.
+/// The gap between A and B. At most one of them may be a half-space, and at least one must be movable. If the cores overlap,
+/// collision detection determines the result.
 ///
 /// The shortest vector from A to B is the point nearest to the origin of B - A, the set of all differences of their points.
 /// It is found from corners of that set, each the farthest one against the nearest point so far.

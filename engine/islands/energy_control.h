@@ -25,8 +25,8 @@ struct IslandMemory {
   int failures = 0;  ///< consecutive ones, counted if joined bodies are near others, or contacts are many
 };
 
-/// Moves the island's copy in `substeps` half steps from where its bodies are in the whole world. If only gravity and rigid joints act, the
-/// energy E = T + U is constant, and
+/// Moves the island's copy in `substeps` half steps from the present state of its bodies in the whole world. If only gravity and rigid
+/// joints act, the energy E = T + U is constant, and
 ///
 ///   energy_error = |dE| / (energy (T + m (h g)^2 / 2))      T: the larger value of before and after,  m: mass of the island
 ///

@@ -27,7 +27,7 @@ enum class StepReason : std::uint8_t {
   few_contacts,      ///< with or without such joints
   resting_contacts,  ///< many contacts, but without impacts and fast rotations
   single_contacts,   ///< many contacts, but each pair of bodies meets in one point, like balls
-  // substeps, because of what an island contains
+  // substeps, because of the contents of an island
   applied_force,        ///< a Force may act
   joint_loop,           ///< joints that form a loop
   joint_not_rigid,      ///< a limit, a motor or a spring

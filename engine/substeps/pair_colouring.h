@@ -29,8 +29,8 @@ inline std::vector<TouchingPair> touching_pairs(const Contacts& contacts) {
   return pairs;
 }
 
-/// Greedy colouring, in the order of the pairs. No two pairs of a set have a movable body in common, so no pair reads what
-/// another one writes. There are 64 colours. Each further pair gets a set of its own.
+/// Greedy colouring, in the order of the pairs. No two pairs of a set have a movable body in common, so no pair reads data that
+/// another one writes. There are 64 colours. Each further pair gets its own set.
 ///
 /// Within a set, pairs with more contacts come first, so that the pairs of a bundle have nearly the same number.
 inline PairSets colour_pairs(const std::vector<TouchingPair>& pairs, const World& world) {
