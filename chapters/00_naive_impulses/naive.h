@@ -1,10 +1,10 @@
-/// The obvious first attempt gives an impulse to every contact, and moves overlapping bodies apart directly.
+/// The obvious first attempt applies an impulse at every contact, and moves overlapping bodies apart directly.
 ///
 ///   f = -(1 + e) [ n . (v_B - v_A) + w_B . (r_B x n) - w_A . (r_A x n) ] / K
 ///   K = 1/m_A + 1/m_B + (r_A x n) . I_A^-1 (r_A x n) + (r_B x n) . I_B^-1 (r_B x n)
 ///
-/// The lecture prints this with -(1 + e) on the first product alone, and the spins with the other sign: a spinning body
-/// then gains or loses energy.
+/// The lecture prints the factor -(1 + e) only before the first product, and the other two with the opposite sign. A spinning
+/// body then gains or loses energy.
 /// Palubicki, "CGP 9", Naive Take and Naive Take 2.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace pushback {
 
-/// The impulse along the normal, N s, that turns the approach at this point into a departure, e times as fast.
+/// The impulse along the normal, N s, after which the bodies separate e times as fast at this point as they approached.
 inline Real pair_impulse(const World& world, const Contact& c) {
   const Real speed = separating_speed(world, c);
   if (speed >= 0) return 0;
@@ -34,7 +34,7 @@ inline void apply_impulse(World& world, Contact& c, Real f) {
   c.impulse += impulse;
 }
 
-/// Moves the two bodies out of each other, the lighter one further.
+/// Moves the two bodies apart by the depth of the contact, the lighter one further.
 inline void push_apart(World& world, const Contact& c) {
   const auto [a, b] = world.bodies_of(c);
   const Vec3 way = c.depth / (a.inverse_mass + b.inverse_mass) * c.normal;
@@ -42,7 +42,7 @@ inline void push_apart(World& world, const Contact& c) {
   b.position += b.inverse_mass * way;
 }
 
-/// Take 1: every contact once, one after the other.
+/// Take 1 solves every contact once, one after the other.
 struct NaiveOnce : StepSolver {
   void solve(World& world, Real, int) override {
     for (Contact& c : world.contacts) {
@@ -52,7 +52,7 @@ struct NaiveOnce : StepSolver {
   }
 };
 
-/// Take 2 repeats all of them several times in the same tick, and averages the impulses of one pair's points.
+/// Take 2 solves all contacts several times in the same step, and averages the impulses over the points of each pair.
 struct NaiveAveraged : StepSolver {
   void solve(World& world, Real, int times) override {
     Contacts& contacts = world.contacts;

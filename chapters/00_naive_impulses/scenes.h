@@ -1,4 +1,4 @@
-/// What gets its impulse: a ball that hits a bar in empty space. The boxes on the ground are `stack`, of common/world.
+/// A ball that hits a bar in empty space. The boxes on the ground are `stack` of common/world.
 #pragma once
 
 #include "pushback/common/world/situations.h"
@@ -7,7 +7,7 @@ namespace pushback::naive_impulses_scenes {
 
 struct SparseHit {
   Real speed = 4;               ///< m/s, of the ball
-  Real mass_ratio = Real(0.6);  ///< of the ball, in masses of the box
+  Real mass_ratio = Real(0.6);  ///< mass of the ball, in masses of the box
 
   void operator()(World& world) const {
     world.gravity.setZero();
@@ -16,11 +16,11 @@ struct SparseHit {
   }
 };
 
-/// A bar that spins, and a ball that comes from below and hits it off its centre as it lies level. The bar gives way, by so
-/// much that the ball should stop.
+/// A spinning bar, and a ball that comes from below and hits it off its centre when the bar is level. The bar yields so much that
+/// the ball should stop.
 struct SpinningHit {
   Real speed = 4;               ///< m/s, of the ball
-  Real mass_ratio = Real(0.2);  ///< of the ball, in masses of the bar
+  Real mass_ratio = Real(0.2);  ///< mass of the ball, in masses of the bar
   Real spin = Real(1.5);        ///< rad/s, of the bar
 
   static constexpr Real before = Real(0.2);  ///< s, from the start to the hit

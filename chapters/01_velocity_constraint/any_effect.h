@@ -1,4 +1,4 @@
-/// Any effect, as one type.
+/// A single type for any effect.
 #pragma once
 
 #include <memory>
@@ -62,7 +62,7 @@ class AnyEffect : public Effect {
   std::unique_ptr<Anything> held_;
 };
 
-/// A solver that names AnyEffect among its effects, with this one in that place.
+/// A solver that has AnyEffect among its effects, with that effect set to `effect`.
 template <std::derived_from<AnyEffect> ContactSolver>
 ContactSolver with_effect(const AnyEffect& effect) {
   ContactSolver solver;

@@ -1,4 +1,4 @@
-/// The work of a solver, counted where it is done.
+/// Counts the work of a solver.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-/// Scenes for a single row: a falling box, one that is thrown upwards, a reader's cube on a slope.
+/// Scenes for a single row, with a falling box, a box that is thrown upwards, and a reader's cube on a slope.
 #pragma once
 
 #include "pushback/common/world/situations.h"
@@ -17,13 +17,13 @@ struct DroppedBox {
 struct LeavingBox {
   Real speed = 5;  ///< m/s, upwards
 
-  static constexpr Real height = Real(0.49);  ///< m, of its centre: 1 cm deep in the slab
+  static constexpr Real height = Real(0.49);  ///< m, of its centre, so that it is 1 cm deep in the slab
 
   void operator()(World& world) const {
     slab(world);
     world.add(box(Vec3::Constant(Real(0.5)), 100).at({0, height, 0}).moving({0, speed, 0}).coloured(2));
   }
-  /// m, if nothing holds it, because its speed falls by g h in every step.
+  /// The greatest height of the box if nothing holds it, m. Its speed falls by g h in every step.
   Real highest_point(Real h) const {
     Real highest = height;
     for (Real v = speed - World::g * h; v > 0; v -= World::g * h) highest += h * v;
@@ -36,7 +36,7 @@ struct DroppedAndUnderPlate {
   DroppedBox dropped;
 
   static constexpr Real aside = Real(1.1);      ///< m, of each box from the middle
-  static constexpr Real height = Real(2.65);    ///< m, of the other's centre: 1 cm deep in the plate
+  static constexpr Real height = Real(2.65);    ///< m, of the other box's centre, so that it is 1 cm deep in the plate
   static constexpr Real thickness = Real(0.1);  ///< m, of the plate
 
   void operator()(World& world) const {
@@ -46,7 +46,7 @@ struct DroppedAndUnderPlate {
         box({Real(0.75), thickness / 2, Real(0.55)}, 1).fixed().at({aside, height + Real(0.49) + thickness / 2, 0}));
     world.add(box(Vec3::Constant(Real(0.5)), 100).at({aside, height, 0}).coloured(4));
   }
-  /// m, for a box that nothing holds, because its speed grows by g h in each step.
+  /// The distance that a box falls if nothing holds it, m. Its speed grows by g h in each step.
   static Real fallen(Real time, Real h) {
     const Real steps = std::round(time / h);
     return World::g * h * h * steps * (steps + 1) / 2;

@@ -1,7 +1,7 @@
-/// Sequential Impulses solves one row after the other, again and again, each as if it were alone.
+/// Sequential Impulses solves one row after the other, repeatedly, each as if it were alone.
 ///
-/// What else a solver does is said by the types it is made of: Solver<> solves J V = 0 and nothing more;
-/// Solver<Clamping, Baumgarte, Friction> runs just these three.
+/// The template arguments of a solver are its effects. Solver<> only solves J V = 0. Solver<Clamping, Baumgarte, Friction> also
+/// runs these three effects.
 #pragma once
 
 #include <algorithm>
@@ -14,14 +14,14 @@
 
 namespace pushback {
 
-/// A step as effects see it. The first contacts.size() rows are the normals: rows[i] belongs to contacts[i].
+/// The argument of the hooks of effects. The first contacts.size() rows are the normals, where rows[i] belongs to contacts[i].
 struct StepContext {
   World& world;
   Contacts& contacts;
   Rows& rows;
   Real dt;  ///< s
 
-  /// One row, as if it were alone.
+  /// Solves one row as if it were alone.
   void solve(std::size_t i) { rows[i].solve(); }
   /// J V + b of a row, m/s, which an impulse should make 0.
   Real speed_error(std::size_t i) const { return rows[i].speed() + rows[i].bias; }
@@ -31,33 +31,33 @@ struct StepContext {
 /// An effect that appends its own rows solves them in `sweep`. One that solves normals calls `step.solve`. Both add the number
 /// of solved rows to rows_solved.
 struct Effect {
-  /// Throws InvalidInput where a number cannot be used. Nothing of the step has been done yet.
+  /// Throws InvalidInput if a number cannot be used. Called before the step changes anything.
   void check(StepContext&) {}
-  /// What counts as overlap.
+  /// Changes Row::separation, from which `build` computes biases.
   void adjust_separation(StepContext&) {}
-  /// Limits, biases, more rows. No impulse of this step has changed a velocity yet.
+  /// Sets limits and biases, and appends rows. No impulse of this step has changed a velocity yet.
   void build(StepContext&) {}
-  /// The first impulses.
+  /// Applies the initial impulses.
   void start(StepContext&) {}
-  /// After the normals, in every sweep.
+  /// Called in every sweep, after the normals.
   void sweep(StepContext&) {}
-  /// After the last sweep.
+  /// Called after the last sweep.
   void finish(StepContext&) {}
-  /// The contacts know their impulses now: mark them.
+  /// Sets Contact::state. The impulses of contacts are final.
   void report(StepContext&) {}
 };
 
 /// Base of a type that declares one more hook, called by the solvers of a later chapter.
 struct LaterHook {};
-/// Base of one that declares a hook without which its effects do nothing: `Solver` refuses them.
+/// Base of a type that declares a hook without which its effects would do nothing. `Solver` refuses such effects.
 struct RequiredHook : LaterHook {};
 
 /// For an effect that stores numbers computed from the rows' geometry, such as Friction's step sizes or joints' axes.
 struct UpdatesGeometry : LaterHook {
-  /// The bodies have moved, and the rows are solved once more (chapter 12), so compute those numbers again.
+  /// Computes those numbers again. Called when the bodies have moved and the rows are solved once more (chapter 12).
   void update_geometry(StepContext&) {}
 };
-/// An effect that has the hook, or derives from UpdatesGeometry, does both.
+/// An effect either derives from UpdatesGeometry and defines the hook, or does neither.
 template <class E>
 concept SpellsUpdateGeometry =
     (std::derived_from<E, UpdatesGeometry> &&
@@ -103,7 +103,7 @@ class SequentialImpulses : public StepSolver, public Effects... {
   const Rows& rows() const { return rows_; }
 
  protected:
-  /// `step`: a StepContext, or what a later chapter makes of it.
+  /// `step`: a StepContext, or a type of a later chapter that derives from it.
   void solve_rows(auto& step, int sweeps) {
     rows_.clear();
     for (std::size_t i = 0; i < step.contacts.size(); ++i) {

@@ -1,4 +1,4 @@
-/// A contact pushes and never pulls, so the impulse that it has accumulated over the sweeps is not negative.
+/// A contact pushes and never pulls, so the impulse that it accumulates over the sweeps is not negative.
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/solver.h"

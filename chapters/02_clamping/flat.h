@@ -1,5 +1,5 @@
-/// The whole solver of chapters 01 and 02 as a plain loop: no effects, no hooks, every line where it happens. A test
-/// holds it to the bits of Solver<Clamping>. It leaves out what no impulse depends on: the count of rows solved.
+/// The whole solver of chapters 01 and 02 as a plain loop, without effects or hooks. A test checks that it gives the same
+/// bits as Solver<Clamping>. It omits the count of rows solved, on which no impulse depends.
 #pragma once
 
 #include <limits>
@@ -16,10 +16,10 @@ struct Row {
   std::size_t contact;       // index of its contact, and of that contact's normal row
   Body *a, *b;               // the contact's normal points from A to B
   Vec3 n, ra_n, rb_n;        // J; n: the row's direction, unit, world axes
-  Vec3 dva, dwa, dvb, dwb;   // M^-1 J^T: what an impulse of 1 N s adds to each velocity
+  Vec3 dva, dwa, dvb, dwb;   // M^-1 J^T: the change of each velocity by an impulse of 1 N s
   Real effective_mass;       // 1 / K, kg
   Real lo = -inf, hi = inf;  // 02: limits of the sum, N s
-  Real impulse = 0;          // sum(lambda), N s: over all sweeps of this step
+  Real impulse = 0;          // sum(lambda) over all sweeps of this step, N s
 };
 
 class FlatSolver : public StepSolver {

@@ -1,12 +1,12 @@
-/// What lands: a column, one that turns as it lands, and three on each other.
+/// Scenes with a column that lands flat, a column that rotates as it lands, and a stack of three columns.
 #pragma once
 
 #include "pushback/common/world/situations.h"
 
 namespace pushback::clamping_scenes {
 
-/// A column that lands flat on four points at once. They are so close together for its height that an impulse at one of them
-/// affects the others.
+/// A column that lands flat on four points at once. Compared with its height, they are so close together that an impulse at one of
+/// them affects the others.
 struct LandingColumn {
   Real fall = Real(0.5);  ///< m
 
@@ -16,7 +16,7 @@ struct LandingColumn {
   }
 };
 
-/// Beside the column that lands flat, one that lands turning: one edge arrives, the other leaves.
+/// The column that lands flat next to a column that rotates as it lands, so that one edge arrives while the other leaves.
 struct TwoLandings {
   LandingColumn flat;
 

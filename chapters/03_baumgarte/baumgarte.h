@@ -1,4 +1,4 @@
-/// The overlap is fed back as a wanted speed, at which the part beta of it is gone after one step.
+/// Feeds the overlap back as a target speed that removes the fraction beta of the overlap in one step.
 #pragma once
 
 #include "pushback/chapters/02_clamping/clamping.h"
@@ -8,7 +8,7 @@ namespace pushback {
 
 /// b = (beta / h) C,   C = -depth
 struct Baumgarte : Effect {
-  Real beta = Real(0.2);  ///< of 0 ... 1: how much of the overlap one step takes away
+  Real beta = Real(0.2);  ///< 0 ... 1: the fraction of the overlap that one step removes
 
   void check(StepContext&) { require_not_negative("beta", beta); }
   void build(StepContext& step) {

@@ -1,4 +1,4 @@
-/// A box that is too deep in the ground, with gravity and without.
+/// A box that is too deep in the ground, with and without gravity.
 #pragma once
 
 #include "pushback/common/world/situations.h"
@@ -16,7 +16,7 @@ struct SunkenBox {
   }
 };
 
-/// The same with a box of 0.4 m, so that its overlap and its jump fit into one picture.
+/// The same with a box of 0.4 m, whose overlap and jump fit into one picture.
 struct SunkenSmallBox {
   Real depth = SunkenBox{}.depth;  ///< m
 

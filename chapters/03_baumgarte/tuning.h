@@ -1,4 +1,4 @@
-/// Runs the tuning rule of the sources: raise beta until the motion becomes unstable, then use half of that value.
+/// Applies the tuning rule of the sources, which is to raise beta until the motion becomes unstable and to use half of that value.
 #pragma once
 
 #include "pushback/chapters/03_baumgarte/baumgarte.h"
@@ -36,7 +36,7 @@ struct Tuning {
 };
 
 /// `unstable`: the jitter of a stack of three, m/s, above which its motion is called unstable. The stack gets so many sweeps
-/// that beta alone can be the cause.
+/// that only beta can be the cause.
 inline Tuning tune_beta(Real unstable, Real dt) {
   Tuning tuning{.panel = {.title = "raise β until a stack of three is unstable, use half",
                           .x_label = "β",

@@ -1,13 +1,13 @@
-/// What flickers: a small pile.
+/// A small pile whose contacts flicker.
 #pragma once
 
 #include "pushback/common/world/situations.h"
 
 namespace pushback::slop_scenes {
 
-/// Three boxes on each other, the upper ones turned a little so that every point counts.
+/// Three boxes on each other, the upper ones rotated a little so that every point matters.
 struct SmallPile {
-  Real depth = Real(0.008);  ///< m, of each box in what it lies on, at the start: more than one slop, less than another
+  Real depth = Real(0.008);  ///< m, initial overlap of each box with its support, more than one slop, less than another
 
   void operator()(World& world) const {
     const Real lowest = Real(0.3) - depth, high = Real(0.6) - depth;

@@ -1,11 +1,11 @@
-/// Leave a little overlap alone, so that contacts survive from step to step.
+/// Leaves a small overlap uncorrected, so that contacts persist from step to step.
 #pragma once
 
 #include "pushback/chapters/03_baumgarte/baumgarte.h"
 
 namespace pushback {
 
-/// C -> min(0, C + slop).   In `adjust_separation`, the hook before `build`, where effects make their bias of C.
+/// C -> min(0, C + slop).   In `adjust_separation`, the hook before `build`, in which effects compute their bias from C.
 struct Slop : Effect {
   Real slop = Real(0.005);  ///< m
 

@@ -1,11 +1,11 @@
-/// Other ways to bounce. Two of them are mistakes, and one keeps the bounce apart.
+/// Other ways to apply restitution. Two of them are mistakes, and one applies it in a separate pass.
 #pragma once
 
 #include "pushback/chapters/05_restitution/restitution.h"
 
 namespace pushback {
 
-/// A mistake: bounce and push-out added up.
+/// The mistake to avoid is to add bounce and push-out.
 struct RestitutionAdded : Effect {
   void build(StepContext& step) {
     for (std::size_t i = 0; i < step.contacts.size(); ++i) {
@@ -15,8 +15,8 @@ struct RestitutionAdded : Effect {
   }
 };
 
-/// Half a mistake is to read the approach speed after this step's gravity has been added, when the ball has not fallen by that
-/// gravity yet.
+/// A smaller mistake is to read the approach speed after this step's gravity has been added, because the ball has not fallen by
+/// that gravity yet.
 struct RestitutionWithGravity : Effect {
   Real threshold = 0;
   void build(StepContext& step) {
@@ -28,7 +28,7 @@ struct RestitutionWithGravity : Effect {
   }
 };
 
-/// The bounce in a separate pass. The sweeps stop the approach and push out. After the last sweep this pass adds the bounce.
+/// Applies the bounce in a separate pass. The sweeps stop the approach and push out. After the last sweep this pass adds the bounce.
 struct RestitutionApart : Effect {
   std::vector<Real> departure;
   void build(StepContext& step) {

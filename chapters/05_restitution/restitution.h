@@ -1,11 +1,11 @@
-/// Bounce: bodies separate e times as fast as they approached.
+/// Restitution makes bodies separate e times as fast as they approached.
 #pragma once
 
 #include "pushback/chapters/04_slop/slop.h"
 
 namespace pushback {
 
-/// v_n before the step, before any of its impulses and its gravity, because the body has not fallen by that gravity yet.
+/// v_n before the step, m/s, before any of its impulses and its gravity, because the body has not fallen by that gravity yet.
 inline Real approach_speed(const World& world, const Contact& at) {
   const auto [a, b] = world.bodies_of(at);
   const auto before = [&](const Body& body) -> Vec3 {

@@ -1,4 +1,4 @@
-/// Balls of different e that bounce, and boxes that hardly move.
+/// Bouncing balls of different e, and boxes that hardly move.
 #pragma once
 
 #include <fmt/format.h>
@@ -18,19 +18,19 @@ struct FallingBalls {
     for (std::size_t i = 0; i < bounciness.size(); ++i) {
       const Real x = (static_cast<Real>(i) - static_cast<Real>(bounciness.size() - 1) / 2) * Real(1.1);
       world.add(sphere(ball_radius, 10).at({x, ball_radius + drop, 0}).bouncy(bounciness[i]));
-      if (bounciness[i] > 0) {  // A shelf behind each, as high as the ball should come.
+      if (bounciness[i] > 0) {  // a shelf behind each ball, at the height that the ball should reach
         const Vec3 shelf(x, apex(bounciness[i], 1) - Real(0.02), Real(-0.42));
         world.add(box({Real(0.5), Real(0.02), Real(0.1)}, 1).fixed().at(shelf));
       }
     }
   }
 
-  /// m: e^2k of the drop, after the bounce number k, from 1; 0 where it arrives more slowly than `threshold`.
+  /// The height after bounce number k, from 1, m. It is e^2k of the drop, or 0 if the ball arrives more slowly than `threshold`, m/s.
   Real apex(Real e, int k, Real threshold = 0) const {
     const Real arrives = std::sqrt(2 * World::g * drop) * std::pow(e, static_cast<Real>(k - 1));
     return arrives > threshold ? drop * std::pow(e, static_cast<Real>(2 * k)) : 0;
   }
-  /// For the ball with that index, its height in m above its rest on the ground. The ground, balls and shelves precede it.
+  /// The height of the ball with that index above its position at rest on the ground, m.
   Real height_of(const World& world, std::size_t ball) const {
     const auto shelves = std::count_if(bounciness.begin(), bounciness.begin() + static_cast<std::ptrdiff_t>(ball),
                                        [](Real e) { return e > 0; });
@@ -40,23 +40,23 @@ struct FallingBalls {
 
 /// A single ball, small enough for pictures at many instants side by side.
 struct BouncingBall {
-  Real e = Real(0.8), drop = 2, radius = Real(0.13);  ///< m
+  Real e = Real(0.8), drop = 2, radius = Real(0.13);  ///< drop and radius in m
 
   void operator()(World& world) const {
     world.add(ground().bouncy(0));
     world.add(sphere(radius, 10).at({0, radius + drop, 0}).bouncy(e));
   }
-  /// The time in s of bounce number k, from 1. For k = 0, the time of the start, mirrored.
+  /// The time of bounce number k, from 1, s. For k = 0, minus the time of the first bounce.
   Real lands(int k) const {
     Real sum = -1;
     for (int i = 0; i < k; ++i) sum += 2 * std::pow(e, static_cast<Real>(i));
     return std::sqrt(2 * drop / World::g) * sum;
   }
-  /// m, e^2k of the drop.
+  /// The height after bounce number k, from 1, m, which is e^2k of the drop.
   Real apex(int k) const { return drop * std::pow(e, static_cast<Real>(2 * k)); }
 };
 
-/// Highest point after the bounce number `bounce`, from 0, of a series of heights, m.
+/// The highest point after bounce number `bounce`, from 0, in a series of heights, m.
 inline std::function<Real(const Run&)> apex(const std::string& series, std::size_t bounce = 0) {
   return [series, bounce](const Run& run) {
     const auto& heights = run.series.at(series);

@@ -1,11 +1,11 @@
-/// The lecture's approximation of friction, to be compared.
+/// The lecture's approximation of friction, for comparison.
 #pragma once
 
 #include "pushback/chapters/06_friction/friction.h"
 
 namespace pushback {
 
-/// The lecture's bound: mu m g, whatever load the contact carries. m is the lighter body's mass, divided among the pair's points.
+/// Uses the lecture's bound mu m g, whatever load the contact carries. m is the lighter body's mass, divided among the pair's points.
 struct FrictionByWeight : Friction {
   std::vector<Real> bound;
   void build(StepContext& step) {

@@ -5,7 +5,7 @@
 
 namespace pushback {
 
-/// Appends its rows in `build`, and solves them in `sweep`: after the normals, whose impulses bound them.
+/// Appends its rows in `build`, and solves them in `sweep`, after the normals, whose impulses bound them.
 ///
 /// Two rows along the tangents, b = 0:   |sum(lambda_t)| <= mu sum(lambda_n),   each by itself (a pyramid)
 struct Friction : Effect {
@@ -14,7 +14,7 @@ struct Friction : Effect {
     mu_.clear();
     for (std::size_t i = 0; i < step.contacts.size(); ++i) {
       const Contact& at = step.contacts[i];
-      if (at.friction == 0) continue;  // no rows where none can act
+      if (at.friction == 0) continue;  // no rows, because no friction can act
       const auto [tangent1, tangent2] = tangents_of(at.normal);
       step.rows.emplace_back(step.world, at, tangent1, i);
       step.rows.emplace_back(step.world, at, tangent2, i);
@@ -44,8 +44,8 @@ struct Friction : Effect {
   }
 
  protected:
-  std::size_t first_ = 0;  // of the tangent rows: two for each contact that can rub
-  std::vector<Real> mu_;   // of those contacts; rows[tangent.owner] is its normal (normals come first)
+  std::size_t first_ = 0;  // index of the first tangent row, of two for each contact with friction
+  std::vector<Real> mu_;   // of the contacts with friction, whose normals are rows[tangent.owner]
 };
 
 }  // namespace pushback

@@ -1,4 +1,4 @@
-/// Scenes with friction and their theory: three boxes on a slope, boxes pushed off in several directions, a thrown ball.
+/// Scenes with friction and their theory, with three boxes on a slope, boxes pushed off in several directions, and a thrown ball.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace pushback::friction_scenes {
 
-/// m from the origin, so far that boxes in different directions do not touch.
+/// The distance from the origin at which boxes start, m, so large that boxes in different directions do not touch.
 inline constexpr Real start = Real(1.2);
 
 /// The coefficient that gives the geometric mean `wanted` against a ground with mu = 1.
@@ -18,7 +18,7 @@ inline Real own_friction(Real wanted) {
 /// The colours of three boxes side by side: mustard, brick and olive, which no curve or marker uses.
 inline constexpr std::array<int, 3> colours{2, 4, 5};
 
-/// Three boxes on one slope, mu below, just above, and far above tan(theta).
+/// Three boxes on one slope, with mu below, just above, and far above tan(theta).
 inline const std::array<Real, 3> grip{Real(0.8), Real(1.05), Real(1.5)};
 struct BoxesOnSlope {
   Real theta = Real(0.7);  ///< rad
@@ -36,33 +36,33 @@ struct BoxesOnSlope {
                     .rough(own_friction(grip[i] * std::tan(theta))));
     }
   }
-  /// m, of the box with that index down the slope.
+  /// The distance that the box with that index has slid down the slope, m.
   Real slid(const World& world, std::size_t body) const {
     const Vec3 along{std::cos(theta), std::sin(theta), 0};
     return Real(4.2) - world.bodies[body].position.dot(along);
   }
-  /// m/s^2, down the slope, of a box that slides.
+  /// The acceleration of a sliding box down the slope, m/s^2.
   Real acceleration(Real of_grip) const {
     return World::g * (std::sin(theta) - of_grip * std::tan(theta) * std::cos(theta));
   }
 };
-/// Way of a body that starts at rest and gains a h in each of n steps.
+/// The distance covered by a body that starts at rest and whose speed grows by a h in each of n steps, m.
 inline Real way_of(Real a, Real h, Real n) {
   return a * h * h * n * (n + 1) / 2;
 }
 
-/// How bodies are sent off over level ground.
+/// The initial speed and the friction of bodies that slide over level ground.
 struct Push {
   Real v0 = 5;          ///< m/s
   Real mu = Real(0.5);  ///< between a body and the ground
 
-  /// m: the last v0 - k mu g h > 0 summed up, the discrete v0^2 / (2 mu g).
+  /// The stopping distance, m. It is the sum of h (v0 - k mu g h) over all positive terms, the discrete form of v0^2 / (2 mu g).
   Real stopping_distance(Real h) const {
     Real way = 0;
     for (Real v = v0 - mu * World::g * h; v > 0; v -= mu * World::g * h) way += h * v;
     return way;
   }
-  /// s, the time in which a body stops, and some more, but at least `least`.
+  /// 1.1 times the time in which a body stops, but at least `least`, s.
   Real long_enough(Real least) const { return std::max(least, Real(1.1) * v0 / (mu * World::g)); }
 };
 

@@ -1,4 +1,4 @@
-/// All seven chapters as one type.
+/// The solver of chapters 01 to 07 as one type.
 #pragma once
 
 #include "pushback/chapters/07_warm_start/warm_start.h"

@@ -1,18 +1,18 @@
-/// A warm start scaled down where all of it would be too much.
+/// A warm start that is scaled down if it would be too large.
 #pragma once
 
 #include "pushback/chapters/07_warm_start/warm_start.h"
 
 namespace pushback {
 
-/// Replaces WarmStart. An impact is over in one step. If the next step started from its impulses, it would strike again. The
-/// sweeps minimise f, and no sweep over the normals raises it:
+/// Replaces WarmStart. An impact is over in one step. If the next step started from its impulses, they would act a second time. The
+/// sweeps minimise f, and a sweep over the normals never increases it:
 ///
 ///   f(lambda) = lambda . A lambda / 2 + lambda . (J V + b),   A = J M^-1 J^T
 ///
-/// Along s lambda its slope is lambda . (J V + b) at s = 0, and at s = 1 the same with the velocities that the guess leaves;
-/// f is the mean of both. (Softness adds to A and to b.) If f > 0, the guess is worse than none. Then only a fraction s of it
-/// is applied, where s makes the slope 0.
+/// Along s lambda the slope of f at s = 0 is lambda . (J V + b). At s = 1 it is the same with the velocities after the guess. f is
+/// the mean of both slopes. (Softness adds to A and to b.) If f > 0, the guess is worse than none. Then only the fraction s of it
+/// is applied that makes the slope 0.
 struct ScaledWarmStart : WarmStart {
   void start(auto& step) {
     Rows& rows = step.rows;

@@ -8,7 +8,7 @@
 
 namespace pushback::warm_start_scenes {
 
-/// How well a stack rests with so many sweeps: m/s, mean of the last second of five. `solver`: one that has not solved
+/// The largest residual of a row of a stack, averaged over the last of five seconds, m/s. `solver`: a solver that has not solved
 /// anything yet.
 template <class ContactSolver>
 Real residual_of_stack(ContactSolver solver, int boxes, Real dt, int sweeps) {
@@ -28,7 +28,7 @@ Real residual_of_stack(ContactSolver solver, int boxes, Real dt, int sweeps) {
 
 struct Study {
   Curve residual;       ///< m/s, against sweeps
-  std::string verdict;  ///< how many sweeps it takes for a residual of 1e-3 m/s
+  std::string verdict;  ///< a sentence with the number of sweeps for a residual below 1e-3 m/s
 };
 
 template <class ContactSolver>

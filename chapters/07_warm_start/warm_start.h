@@ -5,10 +5,10 @@
 
 namespace pushback {
 
-/// sum(lambda) starts from what the same contact point had one step before, scaled by dt_new / dt_old.
+/// sum(lambda) starts from its value at the same contact point in the previous step, scaled by dt_new / dt_old.
 ///
-/// A contact keeps its impulse as a vector in world axes. `build` finds the points of the step before by their ids. Each row
-/// takes the component along its own direction, so normals and tangents are treated alike, and tangents may turn from step to
+/// A contact keeps its impulse as a vector in world axes. `build` finds the points of the previous step by their ids. Each row
+/// takes the component along its own direction, so normals and tangents are treated alike, and tangents may rotate from step to
 /// step.
 struct WarmStart : Effect {
   void build(StepContext& step) {
@@ -36,8 +36,8 @@ struct WarmStart : Effect {
   }
 
  protected:
-  std::vector<Vec3> first_guess_;  // N s, of each contact
-  std::vector<bool> known_;        // whether it was there one step before
+  std::vector<Vec3> first_guess_;  // N s, for each contact
+  std::vector<bool> known_;        // for each contact, whether the previous step had it
 };
 
 }  // namespace pushback

@@ -6,7 +6,7 @@
 namespace pushback {
 
 /// The tangents' 2 x 2 block of J M^-1 J^T, 1/kg. It gives the change of the speeds along both tangents per impulse along each.
-/// Symmetric, and positive definite where at least one of the bodies moves.
+/// Symmetric, and positive definite if at least one of the bodies can move.
 struct TangentBlock {
   Real k11, k12, k22;
 
@@ -17,20 +17,20 @@ struct TangentBlock {
   Real larger_eigenvalue() const { return (k11 + k22) / 2 + std::hypot((k11 - k22) / 2, k12); }
 };
 
-/// Instead of Friction.   |(sum(lambda_1), sum(lambda_2))| <= mu sum(lambda_n)
+/// Replaces Friction.   |(sum(lambda_1), sum(lambda_2))| <= mu sum(lambda_n)
 ///
-/// Both rows take a step of the same size. A sum outside of the disc is projected to the nearest point of its edge:
+/// Both rows take a step of the same size. Sums outside the disc are projected to the nearest point of its edge:
 ///
 ///   (lambda_1, lambda_2) <- P_disc( (lambda_1, lambda_2) - (J_1 V, J_2 V) / k ),   k: the block's larger eigenvalue
 ///
-/// At a fixed point of this iteration, friction opposes the slip exactly. With a step of its own for each row, or one that
-/// solves the block, the fixed point is another one (scaled_back.h).
+/// At a fixed point of this iteration, friction opposes the slip exactly. With a different step size for each row, or with a step
+/// that solves the block, the fixed point is a different one (scaled_back.h).
 struct FrictionCone : Friction, UpdatesGeometry {
   void build(StepContext& step) {
     Friction::build(step);
     update_geometry(step);
   }
-  /// A step larger than 1 / k can overshoot, and feed energy in. So k is computed again whenever the rows have moved.
+  /// A step larger than 1 / k can overshoot and add energy. So k is computed again whenever the rows have changed.
   void update_geometry(StepContext& step) {
     step_sizes_.clear();
     for (std::size_t i = 0; i < mu_.size(); ++i)
@@ -52,15 +52,15 @@ struct FrictionCone : Friction, UpdatesGeometry {
     for (std::size_t i = 0; i < mu_.size(); ++i) {
       const Row &one = rows[first_ + 2 * i], &two = rows[first_ + 2 * i + 1];
       const Real length = std::hypot(one.impulse, two.impulse);
-      constexpr Real rounding = 16 * std::numeric_limits<Real>::epsilon();  // of what was drawn back to the edge
+      constexpr Real rounding = 16 * std::numeric_limits<Real>::epsilon();  // of a projection to the edge
       const bool held = length < (1 - rounding) * mu_[i] * rows[one.owner].impulse;
       step.contacts[one.owner].state = held ? ContactState::sticking : ContactState::sliding;
     }
   }
 
  protected:
-  /// The sums become (total1, total2), or the point of the disc that is nearest. The root is taken only outside: in a pile
-  /// at rest that is rare, and std::hypot in every contact makes ten sweeps a quarter slower.
+  /// Changes the sums to (total1, total2), or to the nearest point of the disc. The root is computed only outside the disc, which is
+  /// rare in a pile at rest. With std::hypot at every contact, ten sweeps would be a quarter slower.
   static void reach_in_disc(Row& one, Row& two, Real total1, Real total2, Real radius) {
     const Real squared = total1 * total1 + total2 * total2;
     if (squared > radius * radius) [[unlikely]] {
@@ -73,7 +73,7 @@ struct FrictionCone : Friction, UpdatesGeometry {
   }
 
  private:
-  std::vector<Real> step_sizes_;  // of the steps, 1 / k, kg
+  std::vector<Real> step_sizes_;  // 1 / k of each contact with friction, kg
 };
 
 }  // namespace pushback

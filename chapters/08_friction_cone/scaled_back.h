@@ -1,11 +1,11 @@
-/// A near miss for comparison, which solves both tangents at once and then scales back.
+/// A near miss for comparison, which solves both tangents at once and then scales the impulse back.
 #pragma once
 
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
 
 namespace pushback {
 
-/// It looks better than one step of 1/k: without the disc, both speeds would be exactly 0.
+/// It looks better than a step of 1/k, because without the disc both speeds would be exactly 0.
 ///
 ///   (lambda_1, lambda_2) <- P_disc( (lambda_1, lambda_2) - K_t^-1 (J_1 V, J_2 V) ),   K_t: the tangents' 2 x 2 block
 ///

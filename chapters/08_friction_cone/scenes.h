@@ -9,18 +9,18 @@ using friction_scenes::own_friction;
 using friction_scenes::Push;
 
 inline constexpr int headings = 12;
-inline constexpr Real rim = Real(1.6);            ///< m from the origin: far enough for the planks not to touch
-inline constexpr Real plank_height = Real(0.1);   ///< m, half of it, and half its width
+inline constexpr Real rim = Real(1.6);  ///< m, distance of the starts from the origin, so that planks do not touch
+inline constexpr Real plank_height = Real(0.1);   ///< m, half the height, and half the width
 inline constexpr Real longest_half = Real(0.35);  ///< m
 
-/// 15, 45, 75 degrees and on: along the pyramid's diagonals, and where it leads aside the most.
+/// 15, 45, 75 degrees and so on, in rad, along the pyramid's diagonals and in the directions in which it deflects most.
 inline Real heading_of(int plank) {
   return pi / 6 * (static_cast<Real>(plank) + Real(0.5));
 }
 inline Vec3 way_of_heading(Real heading) {
   return {std::cos(heading), 0, -std::sin(heading)};
 }
-/// All planks lie along x, wherever they are sent: at its corners, one is far harder to push along than across.
+/// All planks lie along x, whatever their heading. At its corners, a plank is far harder to push along than across.
 inline Body plank(Real half_length, const Vec3& from, Real heading, const Push& push) {
   return box({half_length, plank_height, plank_height}, 20)
       .at(from + Vec3(0, plank_height - Real(1e-5), 0))
@@ -41,17 +41,17 @@ inline void planks(World& world, Real half_length, const Push& push = {}) {
   for (int i = 0; i < headings; ++i)
     world.add(plank(half_length, rim * way_of_heading(heading_of(i)), heading_of(i), push).coloured(i % 2));
 }
-/// m, where that plank should stop.
+/// The position at which that plank should stop, m.
 inline Vec3 stop_of(int plank, Real h, const Push& push) {
   return (rim + push.stopping_distance(h)) * way_of_heading(heading_of(plank));
 }
-/// First the planks, then the frames.
+/// Adds first the planks, then the frames.
 inline void wheel(World& world, Real half_length, Real h, const Push& push = {}) {
   planks(world, half_length, push);
   for (int i = 0; i < headings; ++i) frame(world, half_length, stop_of(i, h, push));
 }
 
-/// Where a plank of the wheel has come from its start, m: along its heading, and to the left of it.
+/// The displacement of a plank of the wheel from its start, m, along its heading and to the left of it.
 struct Way {
   Real ahead, aside;
 };
@@ -61,11 +61,12 @@ inline Way way_of(const World& world, int plank) {
   return {moved.dot(way), moved.dot(Vec3::UnitY().cross(way))};
 }
 
-/// Degrees between friction on B and what is opposite to the slip of B.
+/// The angle between the friction on B and the direction opposite to the slip of B, degrees.
 inline Real direction_error(const Vec3& slip, const Vec3& friction) {
   return std::atan2(slip.cross(friction).norm(), -slip.dot(friction)) * 180 / pi;
 }
-/// The largest of all contacts that slip by more than 0.2 m/s. `h`: the step that has just been made; it tells where the bodies were when the contacts were solved.
+/// The largest of all contacts that slip by more than 0.2 m/s, degrees. `h`: the latest step, s, from which the positions of the bodies
+/// at the time of the solve are computed.
 inline Real largest_direction_error(const World& world, Real h) {
   Real largest = 0;
   for (const Contact& contact : world.contacts) {
@@ -81,7 +82,7 @@ inline Real largest_direction_error(const World& world, Real h) {
   return largest;
 }
 
-/// A stick of 2 m and 5 kg that leans by 69 degrees to +x and touches the ground with its foot, a point. The foot slips in
+/// A stick of 2 m and 5 kg that leans by 69 degrees to +x and touches the ground with its foot at one point. The foot slips in
 /// the direction of `slip`. This is the only contact, and the solver is called directly.
 struct Stick {
   World world;

@@ -1,6 +1,6 @@
-/// The whole solver of chapters 01 to 09 as a plain loop, with simultaneous impacts. A test holds it to the bits of
-/// Solver<Clamping, Baumgarte, Slop, SimultaneousImpacts, FrictionCone, WarmStart>. It leaves out what no impulse depends
-/// on: the count of rows solved, and the state of each contact, which the pictures show.
+/// The whole solver of chapters 01 to 09 as a plain loop, with simultaneous impacts. A test checks that it gives the same bits as
+/// Solver<Clamping, Baumgarte, Slop, SimultaneousImpacts, FrictionCone, WarmStart>. It omits the count of rows solved and the
+/// state of each contact, which the pictures show, because no impulse depends on them.
 #pragma once
 
 #include <limits>
@@ -17,20 +17,20 @@ struct Row {
   std::size_t contact;       // index of its contact, and of that contact's normal row
   Body *a, *b;               // the contact's normal points from A to B
   Vec3 n, ra_n, rb_n;        // J; n: the row's direction, unit, world axes
-  Vec3 dva, dwa, dvb, dwb;   // M^-1 J^T: what an impulse of 1 N s adds to each velocity
+  Vec3 dva, dwa, dvb, dwb;   // M^-1 J^T: the change of each velocity by an impulse of 1 N s
   Real effective_mass;       // 1 / K, kg
-  Real bias;                 // 03: b, m/s: minus the wanted separating speed
+  Real bias;                 // 03: b, minus the target separating speed, m/s
   Real lo = -inf, hi = inf;  // 02: limits of the sum, N s
-  Real impulse = 0;          // sum(lambda), N s: over all sweeps of this step
+  Real impulse = 0;          // sum(lambda) over all sweeps of this step, N s
 };
 
 class FlatSolver : public StepSolver {
  public:
-  Real beta = Real(0.2);        ///< 03: how much of the overlap one step takes away
-  Real slop = Real(0.005);      ///< 04: m, the overlap that is left alone
-  Real threshold = Real(0.1);   ///< 05: m/s; what arrives slower does not bounce
-  Real precision = Real(1e-6);  ///< 09: to which an impact is solved, of the fastest bounce,
-  int most_rounds = 1000;       ///< 09: or until it has been swept so often
+  Real beta = Real(0.2);        ///< 03: the fraction of the overlap that one step removes
+  Real slop = Real(0.005);      ///< 04: m, the overlap that is not corrected
+  Real threshold = Real(0.1);   ///< 05: m/s; a slower contact does not bounce
+  Real precision = Real(1e-6);  ///< 09: rounds end at this change of a speed, relative to the fastest bounce
+  int most_rounds = 1000;       ///< 09: over the normals, in each sweep
 
   void solve(World& world, Real dt, int sweeps) override;
 
@@ -41,8 +41,8 @@ class FlatSolver : public StepSolver {
   void keep_impulses(Contacts& contacts);
 
   std::vector<Row> normals_;      // one for each contact
-  std::vector<Row> tangents_;     // 06: two for each contact that can rub
-  std::vector<Real> step_sizes_;  // 08: of each two of them, 1 / k, kg
+  std::vector<Row> tangents_;     // 06: two for each contact with friction
+  std::vector<Real> step_sizes_;  // 08: 1 / k of each pair of tangents, kg
   Real fastest_ = 0;              // 09: bounce in this step, m/s; 0: nothing bounces
 };
 

@@ -8,7 +8,7 @@ namespace pushback {
 /// Replaces Restitution. A step detects a body at a depth d, when it is already faster than when it touched the surface. On its
 /// way out the body loses speed again. With e < 1 the two errors do not cancel. A body that falls and rises in steps of
 ///
-///   v += h a,  x += h v    conserves    S = u^2 / 2 - a d + h a u / 2      u: approach speed, a: acceleration into the surface
+///   v += h a,  x += h v    conserves    S = u^2 / 2 - a d + h a u / 2      u, a: its speed and acceleration into the surface
 ///
 /// and 2 S is the square of its speed at the surface, where d = 0. The bounce has to leave e^2 of S:
 ///
@@ -27,10 +27,10 @@ struct RestitutionFromSurface : Effect {
       if (approach >= -threshold || at.restitution == 0) continue;
       const Real depth = at.depth, e = at.restitution;
       const Real gained =
-          std::max(Real(0), approach - step.rows[i].speed());  // h a: what this step's forces have added
+          std::max(Real(0), approach - step.rows[i].speed());  // h a, which this step's forces have added
       const Real a = gained / step.dt;
       const Real s = approach * approach / 2 - a * depth - gained * approach / 2;
-      if (s <= 0) continue;  // it would not have touched at this speed: pressed in, not fallen in
+      if (s <= 0) continue;  // too slow to have reached the surface, so it was pressed in and did not fall in
       const Real bounce = std::sqrt(gained * gained / 4 + 2 * (e * e * s + a * depth)) - gained / 2;
       step.rows[i].bias = -bounce;
       fastest_ = std::max(fastest_, bounce);

@@ -6,9 +6,9 @@
 namespace pushback {
 
 /// Replaces Restitution, and like it comes before WarmStart in the list. Each pair that approaches bounces as if nothing else
-/// touched it, and this repeats until no pair approaches:
+/// touched it. This is repeated until no pair approaches:
 ///
-///   lambda = -(1 + e) v_n / K        v_n: when the contact is solved, without the speed that this step's forces have added
+///   lambda = -(1 + e) v_n / K        v_n at the time of the solve, without the speed that this step's forces have added
 ///
 /// Simultaneous and sequential impacts both obey Newton's rule, but their results differ. If a ball hits a row of equal balls,
 /// simultaneous impacts send off the whole row, and sequential impacts only the last ball, as steel balls nearly do.

@@ -1,11 +1,11 @@
-/// Scenes with deep overlaps: a box in the ground, boxes in each other, a ball. And a ball that is dropped.
+/// Scenes with deep overlaps of a box in the ground, of boxes in each other, and of a ball, and a scene with a dropped ball.
 #pragma once
 
 #include "pushback/common/world/situations.h"
 
 namespace pushback::position_correction_scenes {
 
-inline constexpr Real very_deep = Real(0.25);  // m, of 1 m
+inline constexpr Real very_deep = Real(0.25);  // m, for boxes of 1 m
 
 inline void very_deep_box(World& world, Real depth = very_deep) {
   slab(world);
@@ -40,7 +40,7 @@ struct WeightlessBall {
     world.add(ground());
     world.add(sphere(Real(0.5), 100).at({0, Real(0.5) - depth, 0}));
   }
-  /// The depth that `count` corrections leave, m. Each removes the fraction `beta`, and `most` (m) at the most.
+  /// The depth that `count` corrections leave, m. Each removes the fraction `beta`, but at most `most` (m).
   Real left(Real beta, Real most, long count) const {
     Real overlap = depth;
     for (long i = 0; i < count; ++i) overlap -= std::min(beta * overlap, most);

@@ -1,4 +1,4 @@
-/// Split impulse: a second set of velocities pushes the bodies apart once, and is then discarded.
+/// Split impulse pushes the bodies apart once by a second set of velocities, which is then discarded.
 #pragma once
 
 #include "pushback/chapters/03_baumgarte/baumgarte.h"

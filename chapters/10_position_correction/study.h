@@ -1,4 +1,4 @@
-/// The same solver with any of the three push-outs, and the jitter of a stack under it.
+/// The same solver with any of the three push-outs, and the jitter of a stack with this solver.
 #pragma once
 
 #include "pushback/chapters/03_baumgarte/tuning.h"
@@ -8,7 +8,7 @@
 
 namespace pushback::position_correction_scenes {
 
-/// `PushOut`: Baumgarte, SplitImpulse or NonlinearGaussSeidel. With Baumgarte it does the same as FullSolver.
+/// `PushOut`: Baumgarte, SplitImpulse or NonlinearGaussSeidel. With Baumgarte it is equivalent to FullSolver.
 template <class PushOut>
 using With = CorrectingSolver<Clamping, PushOut, Slop, Restitution, Friction, WarmStart>;
 

@@ -6,7 +6,7 @@
 namespace pushback::substeps_scenes {
 
 struct HeavyOnLight {
-  Real mass_ratio = 1000;  ///< of the upper box, in masses of the lower one
+  Real mass_ratio = 1000;  ///< mass of the upper box, in masses of the lower one
 
   void operator()(World& world) const {
     const Vec3 cube = Vec3::Constant(Real(0.5));  // half of 1 m

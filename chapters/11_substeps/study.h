@@ -1,4 +1,4 @@
-/// What chapters 11 and 12 both look at: two scenes, and a stack for ten seconds with any number of substeps and sweeps.
+/// Two scenes, and a stack for ten seconds with any number of substeps and sweeps. Chapters 11 and 12 use them.
 #pragma once
 
 #include "pushback/chapters/11_substeps/scenes.h"
@@ -8,13 +8,13 @@
 
 namespace pushback::substeps_scenes {
 
-/// How far its top body is from where it was, sideways, m. It started over the origin.
+/// The horizontal displacement of the top body, m. It started above the origin.
 inline Real drift_of_top(const World& world) {
   const Vec3& top = world.bodies.back().position;
   return std::hypot(top.x(), top.z());
 }
 
-/// For the latest scene: the drift of its top body, and the depth of contacts at the end.
+/// Adds two numbers to the latest scene, the drift of its top body and the depth of contacts at the end.
 inline void number_overlap(Experiment& e) {
   e.number("overlap at the end", "mm", [](const Run& run) { return 1000 * run.samples.back().overlap; });
 }
@@ -61,7 +61,7 @@ struct Budget {
 };
 
 struct StackCurves {
-  Curve drift, speed, overlap;  ///< mm, mm/s, mm, against what `along` says
+  Curve drift, speed, overlap;  ///< mm, mm/s, mm, against the budget `along`
 };
 
 /// `along`: the budget on the horizontal axis.

@@ -1,6 +1,6 @@
-/// The whole solver of chapters 01 to 12 as a plain loop, without 09 and 10. A test holds it to the bits of
-/// Substeps<RelaxingSolver<Clamping, SoftContacts, Restitution, FrictionCone, WarmStart>>. It leaves out what no impulse
-/// depends on: the count of rows solved, and the state of each contact, which the pictures show.
+/// The whole solver of chapters 01 to 12, except 09 and 10, as a plain loop. A test checks that it gives the same bits as
+/// Substeps<RelaxingSolver<Clamping, SoftContacts, Restitution, FrictionCone, WarmStart>>. It omits the count of rows solved
+/// and the state of each contact, which the pictures show, because no impulse depends on them.
 #pragma once
 
 #include <limits>
@@ -17,26 +17,26 @@ struct Row {
   std::size_t contact;        // index of its contact, and of that contact's normal row
   Body *a, *b;                // the contact's normal points from A to B
   Vec3 n, ra_n, rb_n;         // J; n: the row's direction, unit, world axes
-  Vec3 dva, dwa, dvb, dwb;    // M^-1 J^T: what an impulse of 1 N s adds to each velocity
+  Vec3 dva, dwa, dvb, dwb;    // M^-1 J^T: the change of each velocity by an impulse of 1 N s
   Real effective_mass;        // 1 / K, kg
-  Real bias = 0;              // 03: b, m/s: minus the wanted separating speed
+  Real bias = 0;              // 03: b, minus the target separating speed, m/s
   Real bounce = 0;            // 12: b without the push-out, m/s
   Real softness = 0;          // 12: gamma, 1/kg
   Real separation = 0;        // 12: C, m
   Vec3 apart = Vec3::Zero();  // 12: x_B - x_A when the row was placed, m
   Real lo = -inf, hi = inf;   // 02: limits of the sum, N s
-  Real impulse = 0;           // sum(lambda), N s: over all sweeps of this step
+  Real impulse = 0;           // sum(lambda) over all sweeps of this step, N s
 };
 
 class FlatSolver : public StepSolver {
  public:
-  Real threshold = Real(0.1);  ///< 05: m/s; what arrives slower does not bounce
+  Real threshold = Real(0.1);  ///< 05: m/s; a slower contact does not bounce
   int substeps = 32;           ///< 11: of each step
-  Real hertz = 240;            ///< 12: of the spring that an overlap is
+  Real hertz = 240;            ///< 12: frequency of the spring at an overlap
   Real damping_ratio = 5;      ///< 12: zeta of its damper; 1: critical
   Real fastest_push_out = 3;   ///< 12: m/s
 
-  /// 11: so many substeps of one sweep in each step, and contacts are detected anew in every one.
+  /// 11: `substeps` substeps of one sweep in each step. Each substep detects the contacts again.
   Plan plan(Real /*dt*/) const override { return {.detections = substeps, .sweeps = 1}; }
   void solve(World& world, Real dt, int sweeps) override;
   void after_move(World& world, Real dt) override;  ///< 12
@@ -49,8 +49,8 @@ class FlatSolver : public StepSolver {
   void keep_impulses(Contacts& contacts);
 
   std::vector<Row> normals_;      // one for each contact
-  std::vector<Row> tangents_;     // 06: two for each contact that can rub
-  std::vector<Real> step_sizes_;  // 08: of each two of them, 1 / k, kg
+  std::vector<Row> tangents_;     // 06: two for each contact with friction
+  std::vector<Real> step_sizes_;  // 08: 1 / k of each pair of tangents, kg
 };
 
 }  // namespace pushback::flat_12

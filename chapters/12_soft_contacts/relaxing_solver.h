@@ -1,15 +1,15 @@
-/// A solver whose contacts may give way, with one more sweep after the bodies have moved.
+/// A solver whose contacts may be soft, with one more sweep after the bodies have moved.
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/solver.h"
 
 namespace pushback {
 
-/// A step as effects of a RelaxingSolver see it. A normal that has softness wants
+/// The argument of the hooks of a RelaxingSolver's effects. A normal with softness solves
 ///
 ///   J V + b + gamma lambda = 0,   and its effective mass is 1 / (K + gamma)
 struct RelaxingContext : StepContext {
-  std::vector<Real>& softness;  ///< gamma of the first rows, 1/kg: 0 where the step begins
+  std::vector<Real>& softness;  ///< gamma of the first rows, 1/kg; 0 at the beginning of the step
 
   Real speed_error(std::size_t i) const { return StepContext::speed_error(i) + yields(i); }
   void solve(std::size_t i) {
@@ -21,12 +21,12 @@ struct RelaxingContext : StepContext {
   Real yields(std::size_t i) const { return i < softness.size() ? softness[i] * rows[i].impulse : 0; }
 };
 
-/// Declares the hook of a RelaxingSolver. The effects that derive from it define it.
+/// Declares the hook of a RelaxingSolver. An effect that derives from this type defines the hook.
 struct Relaxes : RequiredHook {
-  /// The bodies have moved. Removes the push-out from the target velocities.
+  /// Called once the bodies have moved. Removes the push-out from the target velocities.
   void relax(RelaxingContext&) {}
 };
-/// An effect that has the hook, or derives from Relaxes, does both.
+/// An effect either derives from Relaxes and defines the hook, or does neither.
 template <class E>
 concept SpellsRelax =
     (std::derived_from<E, Relaxes> && !std::same_as<decltype(&E::relax), decltype(&Relaxes::relax)>) ||

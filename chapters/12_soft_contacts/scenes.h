@@ -1,4 +1,4 @@
-/// A ball that is too deep. The other scenes are in chapter 11.
+/// A ball that is too deep in the ground. The other scenes are in chapter 11.
 #pragma once
 
 #include "pushback/chapters/11_substeps/scenes.h"

@@ -1,4 +1,4 @@
-/// The chapters up to this one as one type.
+/// The solver of chapters 01 to 12 as one type.
 #pragma once
 
 #include "pushback/chapters/07_warm_start/scaled.h"

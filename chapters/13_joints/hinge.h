@@ -14,11 +14,11 @@ namespace pushback {
 inline Equation perpendicular(const Vec3& s, const Vec3& u) {
   const Vec3 across = u.cross(s);
   const Real sine = across.norm();
-  const Vec3 k = sine > 0 ? Vec3(across / sine) : tangents_of(s).tangent1;  // parallel: any axis across s
+  const Vec3 k = sine > 0 ? Vec3(across / sine) : tangents_of(s).tangent1;  // if parallel, any axis across s
   return {.jacobian = Jacobian::about(k), .error = std::atan2(s.dot(u), sine)};
 }
 
-/// A ball and socket that turns about one axis only. `anchor`: m; `axis`: any length but 0. Both are in world axes, for the
+/// A ball and socket that turns about one axis only. `anchor` (m) and `axis`, which has any length but 0, are in world axes, for the
 /// current poses.
 inline Joint hinge(const World& world, int a, int b, const Vec3& anchor, const Vec3& axis) {
   check_joined(world, "a hinge", a, b);

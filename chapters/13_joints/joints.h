@@ -68,7 +68,7 @@ struct Joints : Effect, SupportsJoints, UpdatesGeometry {
   const JointRows& joint_rows() const { return joint_rows_; }
 
  protected:
-  /// Calls `use(row, n)` for each row. n: its number within its joint, from 0.
+  /// Calls `use(row, n)` for each row. n: the row's index within its joint.
   template <class Use>
   void each_row(const Use& use) {
     for (std::size_t i = 0, n = 0; i < joint_rows_.size(); ++i) {

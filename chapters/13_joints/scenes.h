@@ -39,7 +39,7 @@ inline Wire two_valleys(Real x0, Real y0, Real w, Real hill) {
   return wire;
 }
 
-/// Three beads: near the top of a ring, near the top of an ellipse, and near the end of a wire with two valleys.
+/// Three beads, near the top of a ring, near the top of an ellipse, and near the end of a wire with two valleys.
 inline void beads_on_wires(World& world) {
   const auto bead = [&world](const Wire& wire, const Vec3& at) {
     const int body = world.add(sphere(Real(0.17), 1).at(at));

@@ -5,7 +5,7 @@
 
 namespace pushback {
 
-/// The bodies share a point and do not rotate relative to each other. Of three perpendicular axes fixed in both, each axis of
+/// The bodies share a point and do not rotate relative to each other. Three perpendicular axes are fixed in both, and each axis of
 /// A stays perpendicular to the next axis of B. `anchor`: m, world axes, for the current poses.
 inline Joint weld(const World& world, int a, int b, const Vec3& anchor) {
   check_joined(world, "a weld", a, b);

@@ -161,7 +161,7 @@ inline void suspension_bridge(World& world) {
       world.joints.push_back(ball_and_socket(world, before, here, {x_of(i) - plank_length / 2, deck, edge}));
     before = here;
   }
-  for (const Real edge : {-half_width, half_width}) {  // a parabola: the shape of a cable under a load uniform along x
+  for (const Real edge : {-half_width, half_width}) {  // a parabola, as a cable has under a load uniform along x
     const auto cable_at = [=](Real x) {
       return Vec3(x, deck_height + Real(0.3) + (tower - Real(0.3)) * x * x / (middle_of_deck * middle_of_deck), edge);
     };

@@ -1,4 +1,4 @@
-/// A warm start for joints, like that for contacts in chapter 07.
+/// A warm start for joints, as chapter 07 has for contacts.
 #pragma once
 
 #include "pushback/chapters/13_joints/joints.h"
@@ -25,7 +25,7 @@ struct WarmJoints : Joints {
       impulses.push_back(row.impulse);
     });
   }
-  /// Calls `use(row, impulses, n)` for each row. impulses: its joint's last_impulses, N s; n: its number within its joint, from 0.
+  /// Calls `use(row, impulses, n)` for each row. impulses: last_impulses of its joint, N s. n: the row's index within its joint.
   template <class Use>
   void each_row(StepContext& step, const Use& use) {
     Joints::each_row([&](JointRow& row, std::size_t n) { use(row, step.world.joints[row.owner].last_impulses, n); });

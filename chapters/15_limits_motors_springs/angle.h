@@ -85,7 +85,7 @@ class TwistAngle {
 inline Angle swing(const Vec3& s, const Vec3& u) {
   const Vec3 across = s.cross(u);
   const Real sine = across.norm();
-  const Vec3 about = sine > 0 ? Vec3(across / sine) : tangents_of(s).tangent1;  // at 0 and pi: any axis across s
+  const Vec3 about = sine > 0 ? Vec3(across / sine) : tangents_of(s).tangent1;  // at 0 and pi, any axis across s
   return {std::atan2(sine, s.dot(u)), about};
 }
 

@@ -55,17 +55,17 @@ Joint limits_of(const std::string& name, const World& world, int a, int b, const
   return {name, a, b, ask};
 }
 
-/// For a hinge: limits of the rotation of B relative to A about `axis` (world axes), from the current poses, rad.
+/// Limits of a hinge for the rotation of B relative to A about `axis` (world axes), from the current poses, rad.
 inline Joint angle_limits(const World& world, int a, int b, const Vec3& axis, Real low, Real high) {
   return limits_of<HingeAngle>("angle limits", world, a, b, axis, low, high);
 }
 
-/// For a ball and socket: limits of the twist of B relative to A about `axis` (world axes), from the current poses, rad.
+/// Limits of a ball and socket for the twist of B relative to A about `axis` (world axes), from the current poses, rad.
 inline Joint twist_limits(const World& world, int a, int b, const Vec3& axis, Real low, Real high) {
   return limits_of<TwistAngle>("twist limits", world, a, b, axis, low, high);
 }
 
-/// For a ball and socket: keeps the direction `of_b` within `angle` (rad, above 0, up to pi) of `of_a`, the axis of a cone.
+/// A limit of a ball and socket, which keeps `of_b` within `angle` (rad, above 0, up to pi) of `of_a`, the axis of a cone.
 /// Each direction is fixed in its body. Both are in world axes, for the current poses.
 inline Joint cone_limit(const World& world, int a, int b, const Vec3& of_a, const Vec3& of_b, Real angle) {
   const std::string name = "a cone limit";

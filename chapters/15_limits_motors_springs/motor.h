@@ -13,7 +13,7 @@ inline Equation with_torque(Equation row, Real torque) {
   return row;
 }
 
-/// For a hinge: turns B relative to A to the angle `angle_at(t)`, rad, counted from the current poses.
+/// A motor of a hinge, which turns B relative to A to the angle `angle_at(t)`, rad, counted from the current poses.
 ///
 ///   C = theta - f(t),   C' = theta' + b,   b = -(f(t + h) - f(t)) / h
 ///
@@ -41,7 +41,7 @@ inline Joint motor_to_angle(const World& world, int a, int b, const Vec3& axis, 
   return motor;
 }
 
-/// For a hinge: turns B relative to A at `speed`, rad/s, at any angle.
+/// A motor of a hinge, which turns B relative to A at `speed`, rad/s, at any angle.
 ///
 ///   C' = omega - speed:   b = -speed
 ///

@@ -6,7 +6,7 @@
 
 namespace pushback {
 
-/// A spring on which the effective mass oscillates at `hertz`. `damping_ratio` zeta: 0: without end; 1: critically damped.
+/// A spring on which the effective mass oscillates at `hertz`. `damping_ratio`: zeta, 0 for undamped, 1 for critically damped.
 struct Spring {
   Real hertz, damping_ratio;
 };

@@ -7,7 +7,7 @@
 
 namespace pushback {
 
-/// Listed last, after Clamping and FrictionCone.   Solves u = W l + q with the law of each contact, all at once
+/// Listed last, after Clamping and FrictionCone. Solves u = W l + q with the law of each contact, for all contacts at once.
 ///
 /// If no method reaches `tolerance`, the sweeps start from the best solution found.
 struct DirectContacts : Effect {

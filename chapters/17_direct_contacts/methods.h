@@ -5,7 +5,7 @@
 
 namespace pushback {
 
-/// The sweeping methods; `smoothed`, which only solves linear systems; and `best`, which combines sweeps and Newton's method.
+/// The sweeping methods, then `smoothed`, which only solves linear systems, and `best`, which combines sweeps and Newton's method.
 std::vector<std::string> method_names();
 
 /// Whether a number of sweeps stops the method. False for `smoothed` and `best`.

@@ -18,12 +18,12 @@ struct Link {
 };
 using Chain = std::vector<Link>;
 
-/// m/s, of the point at r from its centre of mass.
+/// The velocity of the point at r from its centre of mass, m/s.
 inline Vec3 velocity_at(const Link& link, const Vec3& r) {
   return link.v + link.w.cross(r);
 }
 
-/// 1/kg: the change of the velocity at `at` by an impulse of 1 N s at `by`.
+/// The change of the velocity at `at` by an impulse of 1 N s at `by`, 1/kg.
 inline Mat3 response(const Link& link, const Vec3& at, const Vec3& by) {
   return Mat3::Identity() / link.mass - skew(at) * link.inverse_inertia * skew(by);
 }
@@ -46,7 +46,7 @@ inline ChainMatrix matrix_of(const Chain& chain) {
 
 /// A = L D L^T, eliminated from the free end to the hook.
 struct Factors {
-  std::vector<Mat3> mass;  // D_i^-1, kg: felt at joint i while all joints below it hold
+  std::vector<Mat3> mass;  // D_i^-1, the effective mass at joint i while all joints below it hold, kg
   std::vector<Mat3> l;     // L_i,i+1
 };
 inline Factors factor(ChainMatrix a) {
@@ -68,7 +68,7 @@ inline std::vector<Vec3> solve(const Factors& factors, std::vector<Vec3> x) {
   return x;
 }
 
-/// J V, m/s: the velocity of each link's upper end relative to the point that it hangs from.
+/// J V, the velocity of each link's upper end relative to the point from which it hangs, m/s.
 inline std::vector<Vec3> separation(const Chain& chain) {
   std::vector<Vec3> speeds;
   for (std::size_t i = 0; i < chain.size(); ++i) {

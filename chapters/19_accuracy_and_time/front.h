@@ -20,7 +20,7 @@ struct Measured {
   std::vector<double> seconds = {};       ///< for the whole motion, one per round, ascending
 
   double median() const;
-  double quartile(int which) const;  ///< 1 or 3; of a single timing a fifth less, or more
+  double quartile(int which) const;  ///< `which`: 1 or 3. For a single timing, a fifth less or more than it
   std::string setting() const;       ///< "steady/32/1"
 };
 using Measurements = std::vector<Measured>;
@@ -47,8 +47,8 @@ std::optional<Measured> cheapest(const Measurements& all, double error);
 /// their medians differ by less than a tenth.
 int faster(const Measured& one, const Measured& other);
 
-/// The same of the cheapest settings for errors of 0.8, 1 and 1.25 times `error`, if all three agree; else 0. So no single setting with
-/// an error close to the bound decides. A list that does not reach such an error is the slower one.
+/// The same for the cheapest settings with errors of 0.8, 1 and 1.25 times `error`, or 0 unless all three agree. So no single setting
+/// with an error close to the bound decides. A list that does not reach such an error is the slower one.
 int faster(const Measurements& ones, const Measurements& others, double error);
 
 /// The slope of the straight line through (log x, log y), by least squares. All values are above 0, with two or more

@@ -129,7 +129,7 @@ class OnlyWhatIsNeeded {
     look(world);
   }
   void fit(const World& world);
-  /// `dt`: s. `sweeps`: in each substep; by default the number in the solver's plan.
+  /// `dt`: s. `sweeps`: in each substep, by default the number in the solver's plan.
   void step(World& world, Real dt, std::optional<int> sweeps = {});
   SolveStats stats() const { return solver_.stats(); }
   const Rows& rows() const { return solver_.rows(); }

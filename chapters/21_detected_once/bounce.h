@@ -1,4 +1,4 @@
-/// How a body bounces within one substep.
+/// The bounce of a body within one substep.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ struct Bounce {
   Real way;    ///< C' - C, m: the displacement in this substep
   Real speed;  ///< v, m/s: the speed at the start of the next one
 
-  /// `gained`: h a, m/s; a negative value counts as 0.
+  /// `gained`: h a, m/s. A negative value counts as 0.
   Bounce(Real e, Real C, Real u, Real gained, Real h) {
     const Real ha = std::max(Real(0), gained), aC = ha * C / h;
     const Real s = std::max(Real(0), u * u / 2 + aC + ha * u / 2), at_surface = std::sqrt(2 * s);

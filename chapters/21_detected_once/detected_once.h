@@ -52,7 +52,7 @@ class DetectedOnce : public SubsteppingSolver {
     if (fastest_ > 0)
       for (KeptContact& contact : contacts_) contact.save_impulses();
     joints.start(step);
-    for (KeptBody& each : bodies_) {  // the same rows with the same impulses: one addition per body
+    for (KeptBody& each : bodies_) {  // rows and impulses are the same, so one addition per body is enough
       each.body->velocity += each.given;
       each.body->angular_velocity += each.given_turning;
     }

@@ -1,6 +1,6 @@
-/// The whole solver of the trunk as a plain loop: chapter 12's, with contacts that are detected once for all substeps. Joints, and
-/// bounces within a step, are left to DetectedOnce. A test compares both where nothing bounces. The loop omits the checks of settings
-/// and data on which no impulse depends: the count of rows solved, and the state of each contact, which the pictures show.
+/// Chapter 12's whole solver as a plain loop, with contacts that are detected once for all substeps. DetectedOnce adds joints and
+/// bounces within a step. A test compares both solvers in scenes without bounces. The loop omits the checks of settings. It also
+/// omits the count of rows solved and the state of each contact, which the pictures show, because no impulse depends on them.
 #pragma once
 
 #include <limits>
@@ -17,28 +17,28 @@ struct Row {
   std::size_t contact;        // index of its contact, and of that contact's normal row
   Body *a, *b;                // the contact's normal points from A to B
   Vec3 n, ra_n, rb_n;         // J; n: the row's direction, unit, world axes
-  Vec3 dva, dwa, dvb, dwb;    // M^-1 J^T: what an impulse of 1 N s adds to each velocity
+  Vec3 dva, dwa, dvb, dwb;    // M^-1 J^T: the change of each velocity by an impulse of 1 N s
   Real effective_mass;        // 1 / K, kg
-  Real bias = 0;              // 03: b, m/s: minus the wanted separating speed
+  Real bias = 0;              // 03: b, minus the target separating speed, m/s
   Real bounce = 0;            // 12: b without the push-out, m/s
   Real softness = 0;          // 12: gamma, 1/kg
   Real separation = 0;        // 12: C, m
   Vec3 apart = Vec3::Zero();  // 12: x_B - x_A when the row was placed, m
   Real lo = -inf, hi = inf;   // 02: limits of the sum, N s
-  Real impulse = 0;           // sum(lambda), N s: over all sweeps of this step
+  Real impulse = 0;           // sum(lambda) over all sweeps of this step, N s
 };
 
 class FlatSolver : public StepSolver {
  public:
-  Real threshold = Real(0.1);  ///< 05: m/s; what arrives slower does not bounce
+  Real threshold = Real(0.1);  ///< 05: m/s; a slower contact does not bounce
   int substeps = 32;           ///< 11: of each step
-  Real hertz = 240;            ///< 12: of the spring that an overlap is
+  Real hertz = 240;            ///< 12: frequency of the spring at an overlap
   Real damping_ratio = 5;      ///< 12: zeta of its damper; 1: critical
   Real fastest_push_out = 3;   ///< 12: m/s
   Real margin = Real(0.02);    ///< 21: m, added to the distance that a pair may approach in one step
   int bounce_sweeps = 10;      ///< 21: after the substeps, if something bounces
 
-  /// 11: so many substeps of one sweep in each step. 21: contacts are detected once for all of them.
+  /// 11: `substeps` substeps of one sweep in each step. 21: contacts are detected once for all of them.
   Plan plan(Real dt) const override { return {.substeps = substeps, .sweeps = 1, .margin = {margin, dt}}; }
   void after_detection(World& world, Real dt) override;  ///< 21
   void solve(World& world, Real dt, int sweeps) override;
@@ -53,9 +53,9 @@ class FlatSolver : public StepSolver {
   void keep_impulses(Contacts& contacts);
 
   std::vector<Row> normals_;      // one for each contact
-  std::vector<Row> tangents_;     // 06: two for each contact that can rub
-  std::vector<Real> step_sizes_;  // 08: of each two of them, 1 / k, kg
-  std::vector<Vec3> sums_;        // 21: of each contact, N s: over the substeps so far
+  std::vector<Row> tangents_;     // 06: two for each contact with friction
+  std::vector<Real> step_sizes_;  // 08: 1 / k of each pair of tangents, kg
+  std::vector<Vec3> sums_;        // 21: impulse of each contact over the substeps so far, N s
 };
 
 }  // namespace pushback::flat_21

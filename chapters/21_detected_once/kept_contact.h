@@ -16,8 +16,8 @@ namespace pushback {
 /// A body with contacts, while contacts are kept.
 struct KeptBody {
   Body* body;
-  Vec3 way = Vec3::Zero(), turn = Vec3::Zero();             ///< since detection: sum of h v, m, and of h w, rad
-  Vec3 given = Vec3::Zero(), given_turning = Vec3::Zero();  ///< changes by its contacts: of v, m/s; of w, rad/s
+  Vec3 way = Vec3::Zero(), turn = Vec3::Zero();             ///< since detection, the sum of h v, m, and of h w, rad
+  Vec3 given = Vec3::Zero(), given_turning = Vec3::Zero();  ///< changes of v (m/s) and w (rad/s) by the contacts
 
   void gets(const Vec3& dv, const Vec3& dw) {
     given += dv;
@@ -33,7 +33,7 @@ struct KeptContact {
   std::size_t a = 0, b = 0;    // indices of its bodies in the solver's list
   Real softness = 0;           // gamma, 1/kg
   Real mass = 0;               // 1 / (K + gamma), kg
-  Real bounce = 0;             // minus the speed after its bounce in this substep, m/s; 0: it does not bounce
+  Real bounce = 0;             // minus the speed after a bounce in this substep, m/s; 0: no bounce
 
   /// The contact with this index in the world. `body_a`, `body_b`: indices in the solver's list.
   KeptContact(World& world, std::size_t index, std::size_t body_a, std::size_t body_b)
@@ -98,7 +98,7 @@ struct KeptContact {
   Vec3 impulse() const {
     return normal.impulse * normal.n + tangent1.impulse * tangent1.n + tangent2.impulse * tangent2.n;
   }
-  /// The residual, m/s: the change that another sweep would make to the speed along one of its rows.
+  /// The residual, m/s, which is the change that another sweep would make to the speed along one of its rows.
   Real error() const {
     const Real wanted = normal.impulse - mass * (normal.speed() + (normal.bias + softness * normal.impulse));
     const Real pushed = std::abs(std::max(wanted, normal.lo) - normal.impulse) / normal.effective_mass;
@@ -132,8 +132,8 @@ struct KeptContact {
   }
 
  private:
-  /// m/s: with this bias a row has no effect. A bouncy body that is thrown at another within this substep bounces in the next one.
-  /// The bias C/h would stop it instead.
+  /// With this bias a row has no effect, m/s. A body with restitution that other contacts accelerate towards another body within this
+  /// substep bounces in the next one. The bias C/h would stop it instead.
   static constexpr Real free = Real(1e9);
 
   Vec3 carried_ = Vec3::Zero();  // displacement of B relative to A, m, when the rows were placed

@@ -1,4 +1,4 @@
-/// The distribution of bundles over threads, and workers that do the parts in another order.
+/// The distribution of bundles over threads, and workers that run the parts in another order.
 #pragma once
 
 #include "pushback/common/world/measure.h"
@@ -24,12 +24,12 @@ inline Real at_best(const PairSets& sets, std::size_t threads) {
   return busiest == 0 ? 1 : static_cast<Real>(all) / static_cast<Real>(busiest);
 }
 
-/// The mistake to avoid: one set, as if any two pairs could be solved side by side.
+/// The mistake to avoid is a single set, as if any two pairs could be solved side by side.
 inline PairSets all_in_one(const std::vector<TouchingPair>& pairs, const World& /*world*/) {
   return {pairs};
 }
 
-/// Does the parts one after the other on one thread, from the first or from the last. Independent parts give the same result.
+/// Runs the parts one after the other on one thread, from the first or from the last. Independent parts give the same result.
 class OneAfterTheOther : public Workers {
  public:
   OneAfterTheOther(std::size_t parts, bool from_the_last) : Workers(parts, true), from_the_last_(from_the_last) {}
@@ -41,7 +41,7 @@ class OneAfterTheOther : public Workers {
   bool from_the_last_;
 };
 
-/// The number of bodies whose place or velocity differs from the other world in any bit.
+/// The number of bodies whose position or velocity differs from the other world in any bit.
 inline Real elsewhere(const World& world, const World& other) {
   Real count = 0;
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {

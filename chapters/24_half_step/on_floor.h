@@ -16,7 +16,7 @@ struct OnFloor {
   static constexpr Real height = Real(0.8), around = Real(1.2), speed = 2;  ///< d, rho, m; v_0, m/s
   static constexpr Real radius = Real(0.1);                                 ///< m, of the bob
 
-  /// The place of the bob after t s, m, while it slides.
+  /// The position of the bob after t s, m, while it slides.
   Vec3 place(Real t) const {
     const Real top = std::sqrt(World::g / height) * around, from = std::atanh(speed / top);
     const Real way =

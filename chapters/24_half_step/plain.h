@@ -1,4 +1,4 @@
-/// The step as plain functions for one ball on a rod, chapter 11's step, and two wrong variants.
+/// The step as plain functions for one ball on a rod, with chapter 11's step and two wrong variants.
 #pragma once
 
 #include "pushback/common/basics/types.h"
@@ -29,7 +29,7 @@ inline void half_step(Bob& bob, const Vec3& g, Real h) {
   bob.project();
 }
 
-/// Chapter 11's order: the whole kick first, then the solve for v, then x += h v. Wrong by h/2.
+/// Chapter 11's order, which has the whole kick first, then the solve for v, then x += h v. Its drift uses a velocity h/2 ahead.
 inline void whole_step(Bob& bob, const Vec3& g, Real h) {
   bob.v += h * g;
   bob.project();
@@ -37,7 +37,7 @@ inline void whole_step(Bob& bob, const Vec3& g, Real h) {
   bob.x *= bob.length / bob.x.norm();
 }
 
-/// The first wrong variant: the average of the velocities before and after moves the ball, but the constraint is solved for only
+/// The first wrong variant moves the ball by the average of the velocities before and after, but solves the constraint for only
 /// one of them.
 inline void average_step(Bob& bob, const Vec3& g, Real h) {
   const Vec3 before = bob.v;
@@ -48,7 +48,7 @@ inline void average_step(Bob& bob, const Vec3& g, Real h) {
   bob.project();
 }
 
-/// The second wrong variant: kick, drift, kick, but the impulse that keeps the length acts along the rod after a free drift.
+/// The second wrong variant is kick, drift, kick, but the impulse that keeps the length acts along the rod after a free drift.
 inline void new_rod_step(Bob& bob, const Vec3& g, Real h) {
   bob.v += h / 2 * g;
   const Vec3 free = bob.x + h * bob.v;

@@ -15,7 +15,7 @@ struct Top {
   Real tilt = pi / 4;
   Real precession = 2;  ///< W, rad/s
 
-  static constexpr Real mass = 1, stem = Real(0.6);  // kg; l, m: from the pin to the centre
+  static constexpr Real mass = 1, stem = Real(0.6);  // kg, and l from the pin to the centre, m
   static constexpr Real half_width = Real(0.4), half_height = Real(0.05);
 
   static Body disc() { return box({half_width, half_height, half_width}, mass); }

@@ -38,7 +38,7 @@ inline void cut_step(Ball& ball, Real g, Real h) {
   fly(ball, g, left);
 }
 
-/// Chapter 24's step: a ball that ends below the ground is placed on it and bounces at the end of the step.
+/// Chapter 24's step, in which a ball that ends below the ground is placed on it and bounces at the end of the step.
 inline void late_step(Ball& ball, Real g, Real h) {
   fly(ball, g, h);
   if (ball.y >= 0) return;
@@ -53,7 +53,7 @@ struct Rod {
   Real half;         // of its length, m
 };
 
-/// m, between the lower end and the ground.
+/// The gap between the lower end and the ground, m.
 inline Real gap(const Rod& rod) {
   return rod.y - rod.half * std::abs(std::sin(rod.angle));
 }
@@ -64,12 +64,12 @@ inline void fly(Rod& rod, Real g, Real t) {
   rod.angle += t * rod.spin;
 }
 
-/// m/s: no point of the rod falls faster within the next `left` seconds.
+/// An upper bound of the falling speed of all points of the rod within the next `left` seconds, m/s.
 inline Real fastest_fall(const Rod& rod, Real g, Real left) {
   return std::max(g * left - rod.v, Real(0)) + rod.half * std::abs(rod.spin);
 }
 
-/// s, the time of impact by conservative advancement. The gap is then at most `touching` (m, above rounding), and the rod has not
+/// The time of impact by conservative advancement, s. The gap is then at most `touching` (m, above rounding), and the rod has not
 /// touched the ground before. Empty if the gap stays larger for `within` seconds.
 ///   Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, PhD thesis, Berkeley 1996, 2.3.
 inline std::optional<Real> time_of_impact(Rod rod, Real g, Real within, Real touching) {

@@ -9,7 +9,7 @@ namespace pushback::moment_of_impact_scenes {
 
 /// A ball of 10 mm that flies at a fixed sheet of 1 mm. No gravity.
 struct Bullet {
-  Real speed = 500, e = Real(0.008);  // m/s; restitution of the pair
+  Real speed = 500, e = Real(0.008);  // m/s, and restitution of the pair
 
   static constexpr Real radius = Real(0.005), thickness = Real(0.001), from = Real(-0.06), height = Real(0.06);
 
@@ -38,7 +38,7 @@ struct SpinningRod {
     world.add(box({thickness / 2, Real(0.7), Real(0.25)}, 1).fixed().at({wall + thickness / 2, 0, 0}).coloured(3));
     world.add(rod().spinning({0, 0, -spin}));
   }
-  /// The angle from upright when it meets the wall, rad; and the time, s.
+  /// The angle from upright when it meets the wall, rad, and the time, s.
   Real angle() const { return std::asin((wall - radius) / half); }
   Real meets() const { return angle() / spin; }
   /// Its pose after t s. The wall's impulse J acts along -x, at r = half cos(angle) above the middle:

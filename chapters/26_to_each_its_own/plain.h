@@ -16,7 +16,7 @@ struct Seen {
 };
 
 struct Bounds {
-  int most = 8, most_kept = 12;                 // contacts for half steps; if it had them in the step before
+  int most = 8, most_kept = 12;  // of contacts for half steps, and if it had half steps in the previous step
   int least_substeps = 4, most_substeps = 128;  // of an island with joints
 };
 
@@ -29,7 +29,7 @@ inline Call call_of(const Seen& island, const Bounds& bounds) {
 
 /// The assessment of a step that was tried.
 struct Verdict {
-  bool stands;   // else the step is repeated from its start
+  bool stands;   // whether the step is accepted; if not, it is repeated from its start
   int substeps;  // of the next try, for the same step or the next one; 0: half steps are not enough
 };
 

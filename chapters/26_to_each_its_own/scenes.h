@@ -1,4 +1,4 @@
-/// A yard with bodies of all kinds, a chain that whips, and a solver that colours each body by how it was moved.
+/// A yard with bodies of all kinds, a chain that whips, and a solver that colours each body by the way in which it was moved.
 #pragma once
 
 #include "pushback/chapters/13_joints/ball_and_socket.h"

@@ -10,11 +10,11 @@
 namespace pushback {
 
 /// Plays a scene within an error, or with the least error for a time. Prints the predicted time and error, then the measured ones,
-/// compared with finer steps, and writes pictures to OUT/choose/SCENE/. Reads its own arguments; argv[0] is the name of the command.
+/// compared with finer steps, and writes pictures to OUT/choose/SCENE/. Reads its own arguments, where argv[0] is the command's name.
 /// The name of the scene is optional if there is only one. Returns the program's exit status, as Experiment::run does.
 int choose(const std::vector<Scene>& scenes, int argc, const char* const* argv);
 
-/// The same, but a scene can also be a file: a name that ends in .json is passed to `read`.
+/// The same, but a scene can also be a file. A name that ends in .json is passed to `read`.
 int choose_or_read(const std::vector<Scene>& scenes, const std::function<World(const std::filesystem::path&)>& read,
                    int argc, const char* const* argv);
 

@@ -12,18 +12,18 @@ struct Bar {
   Real y, v;         // of its centre, m, m/s, upwards
   Real angle, spin;  // to the floor, rad, rad/s
 };
-constexpr Real half_length = Real(0.5), inertia = Real(1) / 12;  // m; kg m^2
+constexpr Real half_length = Real(0.5), inertia = Real(1) / 12;  // m and kg m^2
 
 inline Bar moved(const Bar& bar, Real t) {
   return {bar.y + t * bar.v, bar.v, bar.angle + t * bar.spin, bar.spin};
 }
 
-/// m: the height of its lower end.
+/// The height of its lower end, m.
 inline Real gap(const Bar& bar) {
   return bar.y - half_length * std::abs(std::sin(bar.angle));
 }
 
-/// m: how far its lower end is to the right of its centre.
+/// The distance of its lower end to the right of its centre, m.
 inline Real lower_arm(const Bar& bar) {
   return (std::sin(bar.angle) > 0 ? -half_length : half_length) * std::cos(bar.angle);
 }
@@ -61,10 +61,10 @@ inline Bar step(Bar bar, Real h, int substeps) {
   return bar;
 }
 
-/// A bar, and what is said of its error.
+/// A bar, and two estimates of its error.
 struct Played {
   Bar bar, twin;    // `twin` begins equal to `bar`
-  Real halves = 0;  // m: the sum over all steps
+  Real halves = 0;  // m, the sum over all steps
 
   Real said_by_twin() const { return std::abs(bar.y - twin.y) / 2; }
 };

@@ -1,4 +1,4 @@
-/// A scene that is played within an error, and how far off it then is.
+/// Plays a scene within an error, and measures its true error.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@ namespace pushback {
 
 struct PlayedStep {
   double seconds = 0;  ///< computing time
-  Real known = 0;      ///< m: the largest error of a body that is said
+  Real known = 0;      ///< m, the largest reported error of a body
   int bodies_kept = 0, bodies = 0;
   BodyError most = {};              ///< of the body with the largest error
   std::map<std::string, int> ways;  ///< the number of bodies that were moved in each way
@@ -27,16 +27,16 @@ struct Played {
 constexpr Real dt_within = Real(1) / 60;  ///< s
 constexpr int finer_truth = 16;           ///< the usual `finer` of `off`
 
-/// s: the computing time of this thread so far. It leaves out the time of other programs.
+/// The computing time of this thread so far, s, without the time of other programs.
 double computing_time();
 
 Played play_within(World world, Real error, int steps);
 
-/// m, after each step: the distance from the same scene in steps `finer` times shorter, within an error `finer` times smaller.
+/// The distance from the same scene in steps `finer` times shorter, within an error `finer` times smaller, after each step, m.
 std::vector<Real> off(World world, const Played& played, Real error, int finer);
 
-/// 1/s: the rate at which a difference grows from `error` to a hundred times that. It is known after each `dt`, s. Nothing if it does
-/// not grow so far, or does so in less than a quarter of a second.
+/// The rate at which a difference grows from `error` to a hundred times that, 1/s. `differences` are `dt` (s) apart. None if the
+/// difference does not grow so far, or does so in less than a quarter of a second.
 std::optional<Real> growth(const std::vector<Real>& differences, Real error, Real dt);
 
 }  // namespace pushback

@@ -15,7 +15,7 @@ inline constexpr std::uint32_t every_group = 0xFFFFFFFF;
 /// Position and velocity refer to the centre of mass, in world axes.
 ///
 /// The two velocities come first and the body starts on a cache line of its own, because a sweep accesses only them. In double
-/// precision a body takes six cache lines, because the order of its members leaves no holes.
+/// precision a body takes six cache lines, because the order of its members leaves no padding between them.
 struct alignas(64) Body {
   Vec3 velocity = Vec3::Zero();          ///< m/s
   Vec3 angular_velocity = Vec3::Zero();  ///< rad/s, world axes
@@ -33,12 +33,12 @@ struct alignas(64) Body {
   Vec3 angular_velocity_before = Vec3::Zero();  ///< rad/s, likewise
 
   Shape shape = Sphere{Real(0.5)};
-  Real friction = Real(0.5);            ///< mu; a pair has the geometric mean of its two values
-  Real restitution = 0;                 ///< e; a pair has the larger of its two values
+  Real friction = Real(0.5);            ///< mu; a contact's mu is the geometric mean of its bodies' values
+  Real restitution = 0;                 ///< e; a contact's e is the larger of its bodies' values
   Real skin = 0;                        ///< m; other bodies are kept this far from the shape
   int index = -1;                       ///< in World::bodies, set by World::add
   bool asleep = false;                  ///< at rest, and left out of the simulation for now
-  bool removed = false;                 ///< an empty place, see World::remove
+  bool removed = false;                 ///< an unused element, see World::remove
   bool conveys = false;                 ///< immovable and never moved; its velocities describe its surface
   int colour = -1;                      ///< number in the palette; -1: chosen by `index`
   std::uint32_t groups = 1;             ///< bits: the groups that it belongs to, see may_touch
@@ -77,7 +77,7 @@ struct alignas(64) Body {
   }
 };
 
-/// Whether contacts between the two are detected, which needs each to touch a group that the other belongs to.
+/// Whether contacts between the two are detected. Each must touch a group that the other belongs to.
 inline bool may_touch(const Body& a, const Body& b) {
   return (a.touches & b.groups) != 0 && (b.touches & a.groups) != 0;
 }

@@ -1,4 +1,4 @@
-/// Convex polyhedra: finds corners, edges and faces of points, and from these the mass properties. hull() in body.h makes a body.
+/// Finds the corners, edges and faces of the convex hull of points, and its mass properties. hull() in body.h makes a body of it.
 #pragma once
 
 #include <memory>
@@ -18,7 +18,7 @@ struct PlacedSolid {
 
 /// The convex hull of the points (m). Points inside it are left out, and corners keep the order of the points. Points that are
 /// coplanar, collinear or coincident to about 1e-7 of the solid's size (2e-6 in single precision) count as such, so that four
-/// points of a plane make one face, not two. If the faces do not close then, the tolerance grows up to 30 times.
+/// points in one plane make one face, not two. If the faces do not close with this tolerance, it grows up to 30 times.
 ///
 /// The solid keeps the axes of the points if these are principal axes already. Otherwise its principal axes are named x, y and z
 /// so that they are turned as little as possible.

@@ -8,7 +8,7 @@
 namespace pushback {
 
 /// For each face of the convex hull, the numbers of the points at its corners, anticlockwise as seen from outside. The faces
-/// close. Each side belongs to two of them. Throws InvalidInput if the points (m) enclose no volume or no closed faces are found.
+/// close, so each edge belongs to two of them. Throws InvalidInput if the points (m) enclose no volume or no closed faces are found.
 /// Expects 3 to most_corners points, all finite.
 std::vector<std::vector<int>> faces_around(const std::vector<Vec3>& points);
 

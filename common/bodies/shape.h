@@ -47,7 +47,7 @@ struct Polyhedron {
   std::vector<Face> faces;
   Real half_width = 0;  ///< m, half the least distance between a face and the corner farthest from it
   Real volume = 0;      ///< m^3
-  Real rounding = 0;    ///< m; a gap up to this may be rounding of the corners where they were given
+  Real rounding = 0;    ///< m; a gap up to this may come from the rounding of the given corners
 };
 inline constexpr int most_corners = 32;
 

@@ -18,19 +18,19 @@ struct Bounds {
   }
 };
 Bounds bounds_of(const Body& body);
-/// The same, enlarged by the margin, which is `least` on all sides plus the way of the body in `ahead`.
+/// The same, enlarged by the margin, which is `least` on all sides plus the displacement of the body in the time `ahead`.
 Bounds bounds_of(const Body& body, const Margin& margin);
 
 using BodyPair = std::pair<int, int>;  ///< indices, first < second
 
-/// All pairs whose bounds with the margin overlap and of which at least one body can move, in ascending order of (first, second).
+/// All pairs with at least one movable body whose bounds, enlarged by the margin, overlap, in ascending order of (first, second).
 /// Removed bodies are in no pair.
 std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, const Margin& margin = {},
                                  Workers& workers = alone());
-/// The same if each body may move up to `ways[index]`, m, in any direction. A body with a long way costs only the pairs that it may
-/// meet.
+/// The same if each body may move by up to `ways[index]`, m, in any direction. A body that may move far adds pairs only with the
+/// bodies that it may meet.
 std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, const std::vector<Real>& ways);
-/// The same among the bodies with the indices `which`, which ascend without repetition. Other bodies cost no time.
+/// The same for the bodies with the indices `which`, in ascending order without repetition. Other bodies take no time.
 std::vector<BodyPair> near_pairs(const std::vector<Body>& bodies, std::span<const int> which,
                                  const Margin& margin = {});
 

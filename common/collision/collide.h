@@ -6,9 +6,9 @@
 
 namespace pushback {
 
-/// Appends to `contacts` up to four points at which the bodies overlap. None if they do not overlap or both are immovable. The
-/// normal points from `a` to `b`, whichever shapes they have; a.index < b.index. Bodies that are apart by no more than the margin
-/// also get points, with a negative depth. If a body has a skin, the surface of the skin counts.
+/// Appends to `contacts` up to four points at which the bodies overlap, or none if they do not overlap or both are immovable. The
+/// normal points from `a` to `b`, whatever their shapes. Expects a.index < b.index. Bodies that are apart by no more than the
+/// margin also get points, with a negative depth. If a body has a skin, the surface of the skin counts.
 ///
 /// Ignores joints and groups. The caller checks JoinedPairs and may_touch.
 void collide(const Body& a, const Body& b, Contacts& contacts, const Margin& margin = {});

@@ -11,12 +11,12 @@ namespace pushback {
 /// relative to the first until the next detection). Depths are the present depths along that normal. Points move back with the second
 /// body by the fraction `part_of_second` of its way until then.
 ///
-/// In straight motion gap(t) is convex, and on its falling side Newton's steps never go beyond its zero:
+/// If the bodies move in straight lines, gap(t) is convex. Where it falls, Newton's method never steps beyond its zero:
 ///
 ///   t -> t + gap / closing,   closing = -n . way
 ///
-/// `touch_at(t)`: the manifold after the fraction t of the way. `grazes` (m): shapes that would overlap by less than this graze, and get
-/// the normal at their closest approach. If the shapes pass each other, no points are left.
+/// `touch_at(t)` returns the manifold after the fraction t of the way. Shapes that would overlap by less than `grazes` (m) get the
+/// normal at their closest approach. If the shapes pass each other, no points are left.
 template <class TouchAt>
 void look_ahead(const TouchAt& touch_at, const Vec3& way, Real grazes, Real part_of_second, Manifold& found) {
   const auto near = [](const Manifold& at) { return at.overlap > Manifold{}.overlap; };  // within the margin
@@ -48,7 +48,7 @@ void look_ahead(const TouchAt& touch_at, const Vec3& way, Real grazes, Real part
     found.passes = true;
     return;
   }
-  // Shapes that already overlap along that normal are apart along another one and do not touch on this way, so nothing may push them.
+  // Shapes that already overlap along that normal are separated along another one. They do not touch on this way and must not be pushed.
   if (then.normal == found.normal || then.overlap - t * closing(then) > grazes) return;
   for (int i = 0; i < then.count; ++i) {
     then.touches[i].point -= part_of_second * t * way;

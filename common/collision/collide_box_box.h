@@ -22,7 +22,7 @@ struct BoxPair {
   Mat3 turn;
   Vec3 offset;    // from A's centre to B's, along A's axes
   Vec3 offset_b;  // the same, along B's axes
-  Real clearly;   // an overlap is less than another only by more than this, so that rounding does not choose
+  Real clearly;   // overlaps that differ by no more than this count as equal, so that rounding does not choose
   Real rounding;  // a gap up to this may be rounding
   Real margin;    // a gap up to this counts as touching
 };

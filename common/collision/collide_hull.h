@@ -28,12 +28,12 @@ struct PlacedPolyhedron {
   Real highest(const Vec3& n) const;  ///< the largest
 };
 
-/// The incident face for a reference face's normal n. Among the faces that reach down to the lowest corner along n, it is the
-/// one whose normal is nearest to -n. A face with an edge that lies flat there comes before all others, because a wedge rests on its
+/// The incident face for a reference face's normal n. Among the faces that contain the lowest corner along n, it is the one whose
+/// normal is nearest to -n. A face with an edge at that height takes precedence over all others, because a wedge rests on its
 /// whole blade. Height differences up to `clearly` (m) and differences of n . normal up to 1e-3 do not count. Ties go to the first.
 int face_below(const PlacedPolyhedron& hull, const Vec3& n, Real clearly);
 
-/// `clearly` (m): an overlap is less than another only by more than this, so that rounding does not choose. `rounding` and `margin`:
+/// Overlaps that differ by no more than `clearly` (m) count as equal, so that rounding does not choose. `rounding` and `margin` are
 /// as in BoxPair.
 struct HullPair {
   const PlacedPolyhedron &a, &b;
@@ -58,8 +58,8 @@ struct EdgeCrossing {
 };
 
 /// False if the cross product of two edges separates the polyhedra. On the sphere of directions, an edge of A is the arc between the
-/// normals of its two faces, and an edge of B the arc between the opposites of its normals. Only if the arcs cross does nothing else
-/// reach farther than the two edges along their cross product, so other pairs are skipped.
+/// normals of its two faces, and an edge of B is the arc between the opposites of its normals. The two edges are the extreme points
+/// of their polyhedra along their cross product only if the arcs cross, so other pairs of edges are skipped.
 bool try_edges(const HullPair& pair, EdgeCrossing& best);
 
 /// Adds the point at which the edges touch to `found`.

@@ -1,4 +1,4 @@
-/// Clips a face of one shape to a face of another and chooses four of the points that are left. For boxes and hulls.
+/// Clips a face of one box or hull to a face of another, and chooses four of the remaining points.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +22,9 @@ constexpr std::uint32_t crossing(int edge_a, int edge_b) {
   return 0x30000u | std::uint32_t(edge_a) << 8 | std::uint32_t(edge_b);
 }
 
-/// A corner of the outline during clipping, m. u, v: along the reference face; depth: below it. Two lines, `arriving` and `leaving`,
-/// meet in it. They are edges of the incident face, by number, or from `reference` on, edges of the reference face.
+/// A corner of the outline during clipping, m. u and v are measured along the reference face, and depth below it. The corner is the
+/// intersection of two lines, `arriving` and `leaving`. Each is the number of an edge of the incident face or, from `reference` on,
+/// of the reference face.
 struct OutlinePoint {
   Real u, v, depth;
   int arriving, leaving;
@@ -57,7 +58,7 @@ void cut(Outline<room>& outline, const Beyond& beyond, Real tolerance, int edge)
     const bool p_stays = beyond_p <= tolerance, q_stays = beyond_q <= tolerance;
     if (p_stays) left.add(p);
     if (p_stays == q_stays) continue;
-    // From the point that stays towards the one that goes; 0 if the point that stays is on the line or beyond it.
+    // Fraction of the way from the point that stays to the one that goes, 0 if the point that stays is on the line or beyond it.
     const OutlinePoint& stays = p_stays ? p : q;
     const OutlinePoint& goes = p_stays ? q : p;
     const Real from = p_stays ? beyond_p : beyond_q, to = p_stays ? beyond_q : beyond_p;
@@ -82,13 +83,13 @@ struct Candidate {
 
 /// Keeps the four candidates that span the largest quadrilateral. The candidates go round a convex outline, and the quadrilateral has
 /// at least 2/pi of its area. The choice depends only on the outline and not on depths, which fluctuate in a stack, with two
-/// exceptions. If the deepest point is deeper than the four by more than `clearly_deeper` (m), it has to be one of them. And a point
+/// exceptions. If the deepest point is deeper than the four by more than `clearly_deeper` (m), it has to be one of them. A point
 /// that is apart by more than that never replaces a point that touches.
-/// A later choice must be larger than an earlier one by 0.1 %. The outline begins at the point with the lowest feature id, so that the
-/// order is the same in each step. `count`: 4 at least.
+/// A later quadrilateral replaces an earlier one only if it is larger by 0.1 %. The outline begins at the point with the lowest
+/// feature id, so that the order is the same in each step. `count`: at least 4.
 void reduce_to_four(Candidate* candidates, int count, Real clearly_deeper);
 
-/// Up to four points of the manifold, by ascending feature ids.
+/// Up to four points of the manifold, in ascending order of feature id.
 template <std::size_t room>
 struct Candidates {
   std::array<Candidate, room> points;
@@ -98,8 +99,8 @@ struct Candidates {
 };
 
 /// The outline's points below the reference face, or above it by no more than `gap` (m). `of_b`: whether B has that face.
-/// `name_of_corner(of the shape with the reference face?, edge, edge)`: the feature id of the corner in which two edges of one shape
-/// meet.
+/// `name_of_corner(of_reference, edge, edge)` returns the feature id of the corner at which two edges of one shape meet.
+/// `of_reference`: whether this shape has the reference face.
 template <std::size_t room, class NameOfCorner>
 Candidates<room> candidates_of(const Outline<room>& outline, bool of_b, Real gap, Real clearly_deeper,
                                const NameOfCorner& name_of_corner) {

@@ -1,4 +1,4 @@
-/// Contacts, which are results of collision detection for the solver, and of the solver for the pictures.
+/// Contacts. Collision detection finds their points, normals and depths. The solver adds their impulses and states.
 #pragma once
 
 #include <compare>
@@ -35,14 +35,14 @@ struct Contact {
   Real restitution = 0;        ///< e of the pair
   /// Whether n is the normal with which the bodies would touch, not the normal between the closest features now: see Margin.
   bool ahead = false;
-  /// It acted earlier in the step and was not detected again. Everything but the impulses is as it was when it last acted.
+  /// The contact acted earlier in the step and was not detected again. All members but the impulses are as it last acted.
   bool parted = false;
   ContactId id;  ///< also gives the bodies: A is id.body_a, B is id.body_b
 
-  /// N s, on B, world axes: the momentum that B gained and A lost here in the latest step, over all its substeps. In
-  /// World::contacts_before, and while a solver is at work, the impulse of one substep.
+  /// The momentum that B gained and A lost here in the latest step, over all its substeps, N s, world axes. In
+  /// World::contacts_before, and while a solver is at work, the impulse on B in one substep.
   Vec3 impulse = Vec3::Zero();
-  /// N s, on B, world axes: the impulse of the step's last substep, from which the next step warm starts. 0 if it has parted.
+  /// The impulse on B in the step's last substep, from which the next step warm starts, N s, world axes. 0 if the contact has parted.
   Vec3 last_impulse = Vec3::Zero();
   ContactState state = ContactState::fresh;
 };

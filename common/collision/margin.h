@@ -5,7 +5,7 @@
 
 namespace pushback {
 
-/// For solvers that solve more often than they detect, because bodies that are apart now may touch before the next detection.
+/// Solvers that solve more often than they detect need a margin, because bodies that are apart now may touch before the next detection.
 struct Margin {
   Real least = 0;  ///< m
   Real ahead = 0;  ///< s: adds the distance by which the pair may approach in this time, moving straight on

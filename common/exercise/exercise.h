@@ -1,4 +1,4 @@
-/// A self-checking exercise, with scenes that are played with an answer, and the numbers that they measure.
+/// A self-checking exercise plays scenes with an answer and compares the measured numbers with the right ones.
 #pragma once
 
 #include <functional>
@@ -57,8 +57,8 @@ struct Exercise {
   std::string name = {};    ///< 03_baumgarte, 15_limits_motors_springs_transfer; a teacher's own: its folder's
   std::string folder = {};  ///< chapters/03_baumgarte/exercise
   std::string object = {};  ///< only for a teacher's own and a whole solver: the file that a student's program links
-  /// Only for a whole solver, whose file is solver.h with headers next to it: code that is compiled after the student's text, whose
-  /// line numbers stay the same.
+  /// Only for a whole solver, whose file is solver.h with headers next to it. This code is compiled after the student's text, so the
+  /// student's line numbers stay the same.
   std::string behind = {};
   bool in_page = false;  ///< whether the chapter's page shows the answer
 

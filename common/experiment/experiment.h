@@ -9,11 +9,15 @@
 ///     });
 ///   }
 ///
-/// writes to OUT/my_experiment/: sheet.png (a row per variant, a column per instant; sheet_KEY.png for each further scene)
-/// and thumbnail.png; start.png (the first scene that has pictures, at t = 0) and, if that scene has a Guess, guess_1.png,
-/// guess_2.png, ...; plot.png (plot_2.png, ... for more than four diagrams); metrics.csv (a row per variant and step); and
-/// numbers.md (measured and expected numbers). With --frames COUNT it also writes SCENE_VARIANT/frame_0000.png, ..., or
-/// VARIANT/frame_0000.png, ... if there is only one scene.
+/// writes to OUT/my_experiment/
+///   sheet.png       a row per variant, a column per instant, and sheet_KEY.png for each further scene
+///   thumbnail.png
+///   start.png       the first scene that has pictures, at t = 0
+///   guess_1.png     and guess_2.png, ..., if that scene has a Guess
+///   plot.png        and plot_2.png, ..., if there are more than four diagrams
+///   metrics.csv     a row per variant and step
+///   numbers.md      the measured and the expected numbers
+/// With --frames COUNT it also writes SCENE_VARIANT/frame_0000.png, ..., or VARIANT/frame_0000.png, ... if there is only one scene.
 #pragma once
 
 #include <deque>

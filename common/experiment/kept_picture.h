@@ -11,8 +11,8 @@ namespace pushback {
 /// differ as clearly as in a changed digit.
 bool shows_the_same(const Image& a, const Image& b);
 
-/// Keeps the file if it already shows the same. Otherwise writes it, whole or not at all: with a palette if pngquant makes one that
-/// is smaller and looks the same, else in true colour. Throws InvalidInput, naming the file, if it cannot be written.
+/// Keeps the file if it already looks the same. Otherwise writes it, whole or not at all. The file has a palette if pngquant makes one
+/// that is smaller and looks the same, and true colour otherwise. Throws InvalidInput, naming the file, if it cannot be written.
 void keep_picture(const std::filesystem::path& file, const Image& image);
 
 }  // namespace pushback

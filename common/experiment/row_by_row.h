@@ -28,17 +28,17 @@ struct RowByRow {
   std::vector<State> states;  ///< before the first row, and after each; consecutive rows of a contact count as one
 
   void add(World world, std::vector<Row> rows, int solved);
-  /// The contacts' points, and of each state the words beside each contact and a sentence on what has changed, as JSON.
+  /// The contacts' points, and for each state the text next to each contact and a sentence on the latest change, as JSON.
   std::string in_json() const;
-  /// A state, seen from the front. An arrow shows what is left of the relative velocity at a contact that is not solved.
+  /// A state, seen from the front. An arrow shows the remaining relative velocity at each contact that is not solved yet.
   Picture picture(std::size_t state, const Camera& camera) const;
 };
 
 /// Boxes on each other on the ground as seen from the side, each on two corners in the plane z = 0, all with the same velocity.
 World on_two_corners(int boxes, const Vec3& half_extents, Real mass, const Vec3& velocity, Real friction = 0);
 
-/// The solver itself solves the step with 0, 1, ..., `sweeps` sweeps. A sweep solves each row once, in the order of the list, so the
-/// difference of a row's impulses is what it applied, and applying it again row by row gives the solver's velocities to the last bit.
+/// The solver itself solves the step with 0, 1, ..., `sweeps` sweeps. A sweep solves each row once, in the order of the list. So a row
+/// has applied the difference of its impulses, and applying it again row by row gives the solver's velocities to the last bit.
 template <class ContactSolver>
 RowByRow row_by_row(World world, const ContactSolver& solver, Real dt, int sweeps) {
   const std::vector<Body> before = world.bodies;

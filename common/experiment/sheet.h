@@ -1,5 +1,5 @@
-/// The comparison sheet of one scene, 1600 pixels wide: the question and the caption, then a row per variant, with its measured
-/// numbers above its pictures.
+/// The comparison sheet of one scene, 1600 pixels wide. It shows the question and the caption, then a row per variant, with its
+/// measured numbers above its pictures.
 #pragma once
 
 #include <optional>
@@ -50,8 +50,8 @@ struct Sheet {
 
 Image make_sheet(const Sheet& sheet);
 
-/// The picture for a table of contents: the last pictures of the two variants of in_brief side by side, the first and the last picture
-/// of a single variant, or the strip of the second variant.
+/// The picture for a table of contents. It shows the last pictures of the two variants of in_brief side by side, the first and the
+/// last picture of a single variant, or the strip of the second variant.
 Image make_thumbnail(const Sheet& sheet);
 
 /// The pictures of `guess` that the sheet has, small, in the order of guess_order.

@@ -11,7 +11,7 @@
 
 namespace pushback::shaders {
 
-/// `shown` converts linear light to what the framebuffer stores. A canvas does not encode sRGB by itself, so its shaders do.
+/// `shown` converts linear light to the values of the framebuffer. A canvas does not encode sRGB by itself, so its shaders do.
 #ifdef __EMSCRIPTEN__
 inline constexpr const char* prologue = R"(#version 300 es
 precision highp float;

@@ -8,7 +8,7 @@
 
 namespace pushback {
 
-/// F = -k (x - anchor), on the centre of mass. `anchor` in m, world axes; `stiffness` k in N/m, 0 or more.
+/// F = -k (x - anchor), on the centre of mass. `anchor`: m, world axes. `stiffness`: k, N/m, 0 or more.
 inline Force spring(int body, const Vec3& anchor, Real stiffness) {
   require_finite("anchor of a spring", anchor);
   require_not_negative("stiffness of a spring", stiffness);
@@ -19,7 +19,7 @@ inline Force spring(int body, const Vec3& anchor, Real stiffness) {
   return {pull, "a spring", {body}};
 }
 
-/// F = -c v. `coefficient` c in N s/m, 0 or more.
+/// F = -c v. `coefficient`: c, N s/m, 0 or more.
 inline Force drag(int body, Real coefficient) {
   require_not_negative("drag", coefficient);
   const auto brake = [=](World& world) {

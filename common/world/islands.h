@@ -14,7 +14,7 @@ namespace pushback {
 class Islands {
  public:
   /// Makes each of these bodies an island by itself. `all`: the number of bodies in the world, which does not affect the cost once
-  /// the memory is there.
+  /// the memory is allocated.
   void separate(const std::vector<int>& bodies, std::size_t all) {
     parent_.resize(all);
     for (const int body : bodies) parent_[std::size_t(body)] = body;

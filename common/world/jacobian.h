@@ -7,7 +7,7 @@ namespace pushback {
 
 /// J = [ -n  -(r_A x n)  n  (r_B x n) ],   so that  C' = J V,   V = (v_A, w_A, v_B, w_B)
 ///
-/// n stands between the other two on purpose. If ra_n and rb_n were adjacent, g++ would store the third and fourth of their six
+/// n is between the other two on purpose. If ra_n and rb_n were adjacent, g++ would store the third and fourth of their six
 /// numbers together, and the construction of a row would wait until it can read them back as vectors.
 struct Jacobian {
   Vec3 ra_n = Vec3::Zero();  ///< m; in a rotational row, the axis

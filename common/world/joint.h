@@ -52,7 +52,7 @@ struct Joint {
   bool colliding = false;  ///< whether its two bodies may touch; most bodies overlap at their joint
   /// World::step removes the joint after a step in which its average load is larger.
   Load breaks_at = {std::numeric_limits<Real>::infinity(), std::numeric_limits<Real>::infinity()};
-  /// N s or N m s, for each equation in their order: the total that the solver applied in the latest step.
+  /// The total impulse that the solver applied in the latest step, N s or N m s, for each equation in their order.
   std::vector<Real> impulses = {};
   /// The same for only the last substep, without impulses that only closed gaps. Written by solvers that warm start from it.
   std::vector<Real> last_impulses = {};
@@ -88,7 +88,7 @@ class JoinedPairs {
   bool contain(int a, int b) const;
 
  private:
-  std::vector<std::pair<int, int>> pairs_;  // lower index first; ascending
+  std::vector<std::pair<int, int>> pairs_;  // ascending, each with the lower index first
 };
 
 }  // namespace pushback

@@ -42,7 +42,7 @@ class ForcesOfSubsteps {
   bool turn_bodies(const World& world) const;
 
  private:
-  std::vector<std::pair<Vec3, Vec3>> by_hand_;  // force and torque of each body; empty if not needed
+  std::vector<std::pair<Vec3, Vec3>> by_hand_;  // force and torque of each body, or empty if not needed
 };
 
 /// Makes the contacts World::contacts_before, with the impulses of the latest substep.

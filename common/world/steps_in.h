@@ -8,7 +8,7 @@
 
 namespace pushback {
 
-/// The number of steps of dt (s) in so many seconds, rounded, at least 1.
+/// The number of steps of dt (s) in `seconds`, rounded, at least 1.
 inline int steps_in(Real seconds, Real dt) {
   return std::max(1, static_cast<int>(std::lround(seconds / dt)));
 }

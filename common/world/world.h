@@ -24,7 +24,7 @@ struct Force {
   std::vector<int> bodies = {};  ///< indices of the bodies that it acts on and couples to each other; empty: all bodies
 };
 
-/// A value type: a copy continues as the original would, to the last bit.
+/// A value type. A copy continues as the original would, to the last bit.
 class World {
  public:
   static constexpr Real g = Real(9.81);  ///< m/s^2, the default gravity

@@ -1,6 +1,6 @@
 /// Nonsmooth nonlinear conjugate gradients, which are sweeps that remember the direction in which impulses change.
 ///
-/// A sweep maps r to F(r), and r is a solution if F(r) = r. The method takes r - F(r) for a gradient g, and applies the formula
+/// A sweep maps r to F(r), and r is a solution if F(r) = r. The method uses r - F(r) as the gradient g, and applies the formula
 /// of Fletcher and Reeves without a line search:
 ///
 ///   r <- F(r) + B p,   p <- B p - g,   B = |g|^2 / |g before|^2;   if B > 1 it restarts, p <- -g
@@ -19,7 +19,7 @@ class ConjugateSweeper {
   ConjugateSweeper(const ContactProblem& problem, const Vector& start)
       : sweeper_(problem), at_(start), way_(Vector::Zero(start.size())) {}
 
-  /// r becomes F of the point that the last call extrapolated. r is inside of its cones. The extrapolated point may be outside.
+  /// Replaces r by F of the point that the last call extrapolated. The new r is inside its cones. The extrapolated point may be outside.
   void sweep(Vector& r) {
     r = at_;
     sweeper_.sweep(r);

@@ -1,12 +1,12 @@
 /// All contacts of one step as one problem, and the errors of approximate solutions.
 ///
-///   u = W r + q        W = J M^-1 J^T of all rows, symmetric, positive semi-definite; q: JV before any impulse
+///   u = W r + q        W = J M^-1 J^T of all rows, symmetric and positive semi-definite,  q = J V before any impulse
 ///   s = u + mu |u_t| n,   r in K = {|r_t| <= mu r_n},   s in K* = {s_n >= mu |s_t|},   r . s = 0, contact by contact
 ///
 /// K* is the dual cone of K: all s with r . s >= 0 for every r in K. Because s_t = u_t, s is in K* if and only if u_n >= 0. If
 /// W is positive definite, a solution r exists for every q and every mu, but it need not be unique. If W is singular, whether a
 /// solution exists depends on q: see chapter 16's page.
-/// r, N s, and u, m/s, have three numbers per contact: along the normal, then along two tangents.
+/// r (N s) and u (m/s) have three components per contact, first along the normal, then along two tangents.
 ///   De Saxce, Feng, 1998: with mu |u_t| added to the normal speed, Coulomb's law is one complementarity of two cones.
 /// All numbers are double, whatever Real is, because solvers reach residuals of 1e-12.
 #pragma once

@@ -8,13 +8,13 @@ namespace pushback {
 
 /// Replaces Joints. In every sweep, all rows are one linear system for the present velocities:
 ///
-///   A lambda = -(J V + b),   A = J M^-1 J^T + Gamma = L D L^T, in blocks, made once a step
+///   A lambda = -(J V + b),   A = J M^-1 J^T + Gamma = L D L^T, in blocks, factored once per step
 ///
-/// A row with limits is active while its impulse is between them. If the impulse would leave them, the row becomes inactive: it
-/// keeps the impulse of the limit, and the system is solved again without it. If an inactive row's impulse would return, the
-/// row becomes active again. This active-set method finds the one solution within all limits, mostly in two or three rounds.
-/// The first guess of which rows are active comes from the impulses of the step before. Nothing else is remembered, so the bias
-/// that beta feeds back cannot build up.
+/// A row with limits is active while its impulse is between them. If the impulse would leave them, the row becomes inactive. It
+/// then keeps the impulse of the limit, and the system is solved again without the row. If an inactive row's impulse would return,
+/// the row becomes active again. This active-set method finds the one solution within all limits, mostly in two or three rounds.
+/// The first guess of the active rows comes from the impulses of the previous step. Nothing else is stored, so the bias that beta
+/// feeds back cannot build up.
 ///
 /// Without contacts, one sweep is enough. With contacts, contacts and joints are solved in turn, and the last effect in the
 /// solver's list is solved last.

@@ -8,12 +8,12 @@ namespace pushback {
 
 /// Replaces SteadyJoints in a solver that relaxes (chapter 12).
 ///
-/// The rows of a loop may contradict each other: a cloth has more rows than its particles have degrees of freedom. An exact
-/// solution of such rows has arbitrarily large speeds, but sweeps leave a small error in each row. So each group of joints that
-/// are connected by moving bodies goes to `trees` if there is one path from each body to each other, and to `loops` if there
-/// are two.
+/// The rows of a loop may contradict each other, because a cloth, for example, has more rows than its particles have degrees of
+/// freedom. An exact solution of such rows has arbitrarily large speeds, but sweeps leave a small error in each row. So each group
+/// of joints that moving bodies connect goes to `trees` if there is a single path from each body to each other, and otherwise to
+/// `loops`.
 struct DirectTreeJoints : Effect, SupportsJoints, UpdatesGeometry {
-  Real beta = Joints{}.beta;  ///< of both
+  Real beta = Joints{}.beta;  ///< of the joints in trees and in loops
   SplitDirectJoints trees;
   SteadyJoints loops;
 
@@ -57,7 +57,7 @@ struct DirectTreeJoints : Effect, SupportsJoints, UpdatesGeometry {
   void assign_joints(const World& world);
 
   std::vector<JoinedBodies> bodies_;       // of each joint
-  std::vector<bool> in_trees_, in_loops_;  // each joint
+  std::vector<bool> in_trees_, in_loops_;  // whether each joint is in a tree, and in a loop
 };
 
 }  // namespace pushback

@@ -53,17 +53,17 @@ class JointMatrix {
   std::size_t nonzeros() const;
 
  private:
-  struct Block {  // of L, in a joint's column: the row of another joint
+  struct Block {  // a block of L, in the column of one joint and the row of another
     int joint;
     std::size_t values;
   };
   struct Column {
     int rows;
-    std::size_t first, values;  // of its rows; of its block on the diagonal, in values_
-    std::size_t begin, end;     // of its blocks
-    std::size_t updates;        // in updates_: of each pair of its blocks, the values that its elimination changes
+    std::size_t first, values;  // index of its first row, and of its diagonal block in values_
+    std::size_t begin, end;     // range of its blocks
+    std::size_t updates;        // in updates_, for each pair of its blocks the values that its elimination changes
   };
-  struct Shared {  // a block of A, to which one body that two joints have in common contributes
+  struct Shared {  // the contribution of a body that two joints share to a block of A
     int row, column;
     bool row_is_b, column_is_b;
     std::size_t values;

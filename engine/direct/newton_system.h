@@ -1,4 +1,4 @@
-/// The linear systems of smoothed Newton steps, (W + D) x = b: D has a 3 x 3 block for each contact, not symmetric.
+/// The linear systems of smoothed Newton steps, (W + D) x = b. D has a 3 x 3 block for each contact, which is not symmetric.
 ///
 /// If only W is known, the matrix has 3 rows per contact. If B with W = B B^T is known (factor_of), the matrix has 6 rows per
 /// body instead, however many contacts a body has, and far less fill:
@@ -21,8 +21,8 @@ SparseMatrix factor_of(World& world, const Contacts& contacts);
 /// The same for all contacts of the world.
 SparseMatrix factor_of(World& world);
 
-/// A block of D and its inverse. The caller computes both, because a numerical inverse of d would be inaccurate: d is nearly
-/// singular if the contact sticks.
+/// A block of D and its inverse. The caller computes both, because d is nearly singular if the contact sticks, so a numerical
+/// inverse of d would be inaccurate.
 struct DiagonalBlock {
   Eigen::Matrix3d d, inverse;
 };

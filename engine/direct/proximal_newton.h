@@ -1,8 +1,8 @@
-/// All contacts at once: Newton's method for Coulomb's law, with a proximal term that keeps the linear systems solvable.
+/// Solves all contacts at once by Newton's method for Coulomb's law, with a proximal term that keeps the linear systems solvable.
 ///
 /// The law of a contact is an equation with kinks (Alart, Curnier, 1991) with the step sizes of a sweep, a = 1 / W_nn, b = 1 / k:
 ///
-///   f_n = r_n - max(0, r_n - a u_n),    f_t = r_t - P_disc(r_t - b u_t), the disc of radius mu max(0, r_n - a u_n)
+///   f_n = r_n - max(0, r_n - a u_n),    f_t = r_t - P_disc(r_t - b u_t)        radius of the disc: mu max(0, r_n - a u_n)
 ///
 /// A sweep changes nothing if and only if f = 0. Newton's method solves f' dr = -f for all contacts together. If W is singular,
 /// so is f'. Therefore the speed gets a proximal term, u = W r + q + p (r - r_before). The solution is the next r_before, and p

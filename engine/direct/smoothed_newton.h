@@ -1,5 +1,5 @@
-/// All contacts at once: Newton's method for a smoothed form of Coulomb's law, which approaches the exact law from system to
-/// system.
+/// Solves all contacts at once by Newton's method for a smoothed form of Coulomb's law, which approaches the exact law from system
+/// to system.
 ///
 /// In coordinates in which both cones are the same, x = (mu r_n, r_t) and z = (u_n / mu + |u_t|, u_t), the law of a contact is
 /// x, z in the cone, x . z = 0. One vector y determines both, x = Pi(y) and z = Pi(-y), with a kink where y enters the cone.
@@ -7,13 +7,13 @@
 ///
 ///   x = (y + sqrt(y^2 + 4 t^2 e)) / 2,   z = (-y + sqrt(y^2 + 4 t^2 e)) / 2,   so x - z = y and x o z = t^2 e,
 ///
-/// where the square root acts on the two eigenvalues y_n -+ |y_t| of y. For each t > 0 both are inside of the cone, as in an
+/// where the square root acts on the two eigenvalues y_n -+ |y_t| of y. For each t > 0 both are inside the cone, as in an
 /// interior point method, and
 ///
 ///   W x + q - z + |z_t| n = 0
 ///
 /// is smooth in y except at z_t = 0. Newton's method solves it for one t, then from there for a smaller t. Redundant contacts
-/// do no harm: if W does not determine x, the term dz/dx > 0 does.
+/// are harmless, because the term dz/dx > 0 determines x if W does not.
 ///   M. Fukushima, Z.-Q. Luo, P. Tseng, "Smoothing functions for second-order-cone complementarity problems", 2002
 #pragma once
 

@@ -6,10 +6,10 @@
 namespace pushback {
 
 /// Replaces SteadyJoints. Contacts and joints are solved in turn. If joints had the bias (beta / h) C in the sweeps, contacts
-/// would react to the speed with which it closes the gaps of joints, and joints to that reaction. So the sweeps leave this bias
-/// out. After the last sweep, before the bodies move, the system is solved once more with it. After the bodies have moved, the
-/// joints are solved again at the new positions without it, which removes the closing speed, except for the part that has
-/// turned with the bodies. That part compensates the loss that their turn causes, (w h)^2 / 2 of the speed.
+/// would react to the speed at which the bias closes the gaps of joints, and joints to that reaction. So the sweeps omit this
+/// bias. After the last sweep, before the bodies move, the system is solved once more with the bias. After the bodies have moved,
+/// the joints are solved again without the bias at the new positions. This removes the closing speed, except for the part that has
+/// rotated with the bodies. That part compensates for the speed that their rotation loses, the fraction (w h)^2 / 2.
 struct SplitDirectJoints : DirectJoints {
   void build(StepContext& step) {
     DirectJoints::build(step);

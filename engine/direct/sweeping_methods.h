@@ -22,8 +22,8 @@ struct Solution {
 /// conjugate gradients with sweeps of "cone".
 std::vector<std::string> sweeping_method_names();
 
-/// One sweep of a method over all contacts, which changes r. It refers to the problem, which must outlive it, and may have a
-/// memory.
+/// One sweep of a method over all contacts, which changes r. It keeps a reference to the problem, which must outlive it, and may
+/// keep data from sweep to sweep.
 using Sweep = std::function<void(Vector&)>;
 
 /// Throws InvalidInput if there is no such method.

@@ -25,7 +25,7 @@ struct ContactBlock {
         larger_eigenvalue((w(1, 1) + w(2, 2)) / 2 + std::hypot((w(1, 1) - w(2, 2)) / 2, (w(1, 2) + w(2, 1)) / 2)) {}
 };
 
-/// Each tangent by itself within its own bound: chapter 06's pyramid.
+/// Solves each tangent by itself within its own bound, as chapter 06's pyramid.
 struct PyramidStep {
   static void step(const ContactBlock& at, double radius, Eigen::Vector2d u, Eigen::Vector2d& r) {
     for (Eigen::Index i = 0; i < 2; ++i) {
@@ -43,7 +43,7 @@ inline Eigen::Vector2d projected_to_disc(const Eigen::Vector2d& r, double radius
   return length > radius ? Eigen::Vector2d(r * (radius / length)) : r;
 }
 
-/// Both tangents solved at once. An impulse outside of the disc is scaled back to it, which is chapter 08's near miss.
+/// Solves both tangents at once. An impulse outside the disc is scaled back to it, as in chapter 08's near miss.
 struct ScaledBackStep {
   static void step(const ContactBlock& at, double radius, const Eigen::Vector2d& u, Eigen::Vector2d& r) {
     const Eigen::Matrix2d k = at.w.bottomRightCorner<2, 2>();
@@ -54,14 +54,15 @@ struct ScaledBackStep {
   }
 };
 
-/// One step of the same size for both, projected to the disc: chapter 08's cone. If it changes nothing, Coulomb's law holds.
+/// Takes a step of the same size for both tangents, projected to the disc, as chapter 08's cone. If the step changes nothing,
+/// Coulomb's law holds.
 struct ConeStep {
   static void step(const ContactBlock& at, double radius, const Eigen::Vector2d& u, Eigen::Vector2d& r) {
     if (at.larger_eigenvalue > 0) r = projected_to_disc(r - u / at.larger_eigenvalue, radius);
   }
 };
 
-/// Refers to the problem, which must outlive it.
+/// Keeps a reference to the problem, which must outlive it.
 template <class TangentStep>
 class Sweeper {
  public:

@@ -1,4 +1,4 @@
-/// All contacts solved at once, from the impulses of the last step.
+/// Solves all contacts at once, starting from the impulses of the previous step.
 #pragma once
 
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
@@ -29,7 +29,7 @@ struct WarmDirectContacts : Effect {
   bool solve_large_problem(StepContext& step);
 
   std::vector<Eigen::Index> places_;  // of each row in the problem
-  Eigen::VectorXd r_, u_, q_, mu_;    // of the problem, u with r, q without
+  Eigen::VectorXd r_, u_, q_, mu_;    // of the problem, where u is with r and q without
 };
 
 }  // namespace pushback

@@ -8,25 +8,25 @@
 
 namespace pushback {
 
-/// A = L U in blocks of 6 x 6, for six velocities per body. Two bodies share a block if something acts between them. L and U have
-/// some blocks more, as few as an approximate minimum degree gives. There are far fewer blocks between bodies than between
-/// contacts. The order is found once, and stays while the same bodies share blocks.
+/// A = L U in blocks of 6 x 6, for six velocities per body. Two bodies share a block if a contact or joint acts between them. L and U
+/// have some further blocks, which an approximate minimum degree ordering keeps few. There are far fewer blocks between bodies than
+/// between contacts. The order is computed once and kept while the same bodies share blocks.
 class BodyMatrix {
  public:
   using Block = Eigen::Matrix<double, 6, 6>;
   using Six = Eigen::Matrix<double, 6, 1>;
   using Pairs = std::vector<std::pair<int, int>>;
 
-  /// A = 1. `pairs`: indices of bodies that share a block, each below `bodies`, the lower one first. False if `factor` would take
-  /// more than `most` multiplications. Then there is no matrix. This check takes far fewer.
+  /// Sets A to the identity. `pairs`: indices of bodies that share a block, each below `bodies`, the lower one first. Returns false,
+  /// and makes no matrix, if `factor` would take more than `most` multiplications. This check takes far fewer.
   bool begin(int bodies, const Pairs& pairs, double most = std::numeric_limits<double>::infinity());
-  /// To the block in the row of one body and the column of another: itself, or one of its pairs.
+  /// Adds to the block in the row of one body and the column of another. Both are the same body or one of `pairs`.
   void add(int row, int column, const Block& block);
-  /// There are no pivots between bodies. False where a block on the diagonal is singular.
+  /// Factors A without pivoting between bodies. Returns false if a block on the diagonal is singular.
   bool factor();
-  /// A x = b, after `factor`. x is b at first.
+  /// Solves A x = b, after `factor`. x is b at first.
   void solve(std::vector<Six>& x) const;
-  /// Multiplications of `factor`, and of `solve`, after `begin`.
+  /// The multiplications that `factor` and `solve` take, known after `begin`.
   double of_factor() const { return of_factor_; }
   double of_solve() const { return 36 * static_cast<double>(columns_.size() + 2 * entries_.size()); }
 
@@ -37,8 +37,8 @@ class BodyMatrix {
   };
   struct Column {
     std::size_t begin, end;  // in entries_
-    std::size_t updates;     // in updates_: of each pair of its entries, the entry that its elimination changes
-    Block diagonal;          // after `factor` its inverse
+    std::size_t updates;     // in updates_, for each pair of its entries the entry that its elimination changes
+    Block diagonal;          // after `factor`, its inverse
   };
   void analyse(int bodies, const Pairs& pairs, double most);
   bool earlier(int one, int other) const {
@@ -50,12 +50,12 @@ class BodyMatrix {
 
   Pairs pairs_;                // the pairs of the latest analysis
   std::vector<int> order_;     // of elimination
-  std::vector<int> position_;  // of each body, there
+  std::vector<int> position_;  // of each body, in order_
   std::vector<Column> columns_;
   std::vector<Entry> entries_;
   std::vector<std::size_t> updates_;
-  double of_factor_ = 0;  // if not `whole_`, as many as were counted
-  bool whole_ = false;    // else counting stopped, as there are too many
+  double of_factor_ = 0;  // if not `whole_`, the multiplications counted so far
+  bool whole_ = false;    // false if counting stopped, because there were too many
 };
 
 }  // namespace pushback

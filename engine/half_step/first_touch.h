@@ -1,4 +1,4 @@
-/// When two bodies that move freely first touch.
+/// Finds the time at which two bodies that move freely first touch.
 #pragma once
 
 #include <optional>
@@ -11,25 +11,25 @@ namespace pushback {
 /// A body with its future motion if it touches nothing, which is a half step of t seconds from its present state.
 class Flight {
  public:
-  /// `linear`, `angular`: its accelerations, m/s^2 and rad/s^2, world axes. Queries are for at most `within` s.
+  /// `linear`, `angular`: the body's accelerations, m/s^2 and rad/s^2, world axes. `within`: the latest time of any query, s.
   Flight(const Body& body, const Vec3& linear, const Vec3& angular, Real within);
   /// The state after t seconds, without I^-1.
   const Body& at(Real t);
 
-  /// A corner of its core, from the body's position, with its velocity and acceleration. World axes.
+  /// A corner of the body's core relative to its position, with its velocity and acceleration, in world axes.
   struct Corner {
     Vec3 arm, velocity, acceleration;
   };
-  /// All corners, at the time of the latest call of `at`. The speeds are off by no more than `slack`, m/s.
+  /// All corners, at the time of the latest call of `at`. Their speeds have an error of at most `slack`, m/s.
   const std::vector<Corner>& look();
-  /// How often that was done.
+  /// The number of calls of `look`.
   int looks() const { return looks_; }
   Real slack() const { return bend_ * little_ / 2; }
-  /// m/s^2, the most by which a corner curves away from its straight way, as the body turns.
+  /// An upper bound of the acceleration of a corner by the rotation of the body, m/s^2.
   Real bend() const { return bend_; }
-  /// m/s^3, the most by which its acceleration changes.
+  /// An upper bound of the rate of change of that acceleration, m/s^3.
   Real jerk() const { return jerk_; }
-  /// Of the body, at the time of the latest call of `at`. m/s and m/s^2.
+  /// The body's velocity (m/s) and acceleration (m/s^2) at the time of the latest call of `at`.
   Vec3 velocity() const { return begin_.velocity + time_ * linear_; }
   const Vec3& acceleration() const { return linear_; }
 
@@ -45,20 +45,21 @@ class Flight {
   int looks_ = 0;
 };
 
-/// s from now, or nothing if they do not touch within `within` s. Then they are apart by no more than `touching` (m), and have
-/// not been nearer before. Bodies that touch now and separate are found when they return.
+/// The time of the first touch, s from now, or none if the bodies do not touch within `within` s. At that time their distance is at
+/// most `touching` (m), and it has not been smaller before. If bodies touch now and separate, the time of their next touch is found.
 ///
-/// Two convex bodies are apart as long as their shadows on some line are. Take the n along which they are d apart: corner q of B and
-/// corner p of A come nearer along it by no more than
+/// Two convex bodies are apart as long as their projections on some line are. Let n be the direction along which they are d apart.
+/// The distance between corner p of A and corner q of B along n is at least
 ///
-///   d_pq(t + s) >= d_pq + c s + (a - j s / 3) s^2 / 2     c, a: their velocity and acceleration along n now,  j: the most jerk
+///   d_pq(t + s) >= d_pq + c s + (a - j s / 3) s^2 / 2     c, a:  relative velocity and acceleration along n,  j:  bound of the jerk
 ///
-/// and no more than with the acceleration of the bodies and the most that turns may bend. So nothing can touch until the first root of
-/// any of these. Advance to it, and repeat (conservative advancement). The line may also turn as the bodies do, with v and a as seen
-/// from it. The longest advance of a few such lines counts, so bodies that slide over each other take few rounds. For balls, this is
-/// Newton's method, from the side on which it never oversteps.
+/// and at least the same expression with the acceleration of the centres minus the bound of the corners' acceleration by rotation.
+/// So the bodies cannot touch before the first root of any of these. The search advances to this root and repeats (conservative
+/// advancement). The line may also rotate as the bodies do, with velocities and accelerations relative to it. The search takes the
+/// longest advance of a few such lines, so bodies that slide over each other take few rounds. For balls, this is Newton's method,
+/// from the side on which it never oversteps.
 ///   Mirtich, Impulse-based Dynamic Simulation of Rigid Body Systems, PhD thesis, Berkeley 1996, 2.3, with speeds only.
-/// After 100 rounds, the search ends at a time until which nothing has touched.
+/// After 100 rounds, the search ends at a time before which the bodies do not touch.
 std::optional<Real> first_touch(Flight& a, Flight& b, Real within, Real touching);
 
 /// The first s > 0 with  d + c s + a s^2 / 2 = 0,  d >= 0, or infinity if there is none.

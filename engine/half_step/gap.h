@@ -5,25 +5,25 @@
 
 namespace pushback {
 
-/// Between the surfaces of two bodies, with their skins.
+/// The gap between the surfaces of two bodies, including their skins.
 struct Gap {
   Real distance;  ///< m; 0 or less if they touch or overlap
-  Vec3 normal;    ///< unit, world axes, from A to B: the distance is along it
+  Vec3 normal;    ///< unit, world axes, from A to B, the direction of the distance
 };
 
-/// For two bodies, one of which is no half-space and one of which moves. For overlapping cores it is as in collision detection.
+/// The gap between A and B. At most one of them may be a half-space, and at least one must be movable. If the cores overlap,
+/// collision detection determines the result.
 ///
 /// The shortest vector from A to B is the point nearest to the origin of B - A, the set of all differences of their points.
 /// It is found from corners of that set, each the farthest one against the nearest point so far.
 ///   Gilbert, Johnson, Keerthi, IEEE J. Robotics and Automation 4(2), 1988.
 Gap gap_between(const Body& a, const Body& b);
 
-/// m: a body is everything within this of its core, which is a point, a segment or a polyhedron.
+/// The radius of a body about its core, m. The core is a point, a segment or a polyhedron.
 Real roundness(const Body& body);
-/// The points, in body axes, of whose hull a shape is a rounded version: one for a sphere, two for a capsule. A half-space has
-/// one on its plane.
+/// The corners of a shape's core, body axes, m. A sphere has one and a capsule two. A half-space has one point on its plane.
 std::vector<Vec3> corners_of_core(const Body& body);
-/// m: the largest distance of these points from the body's position. A rotation moves them by at most its angle times this.
+/// The largest distance of these corners from the body's position, m. A rotation moves them by at most its angle times this.
 Real reach_of_core(const Body& body);
 
 }  // namespace pushback

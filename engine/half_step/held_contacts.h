@@ -1,4 +1,4 @@
-/// Contacts in two stages: no gap may be negative after the drift, and no separating speed at its end.
+/// Contacts in two stages. After the drift no gap may be negative, and at its end no separating speed may be negative.
 #pragma once
 
 #include <optional>
@@ -19,8 +19,8 @@ inline BodyPair pair_of(const Contact& at) {
 
 /// All contacts are solved together, and each stage starts from the impulses of the previous step:
 ///
-///   positions     gap + h J v >= 0,  lambda >= 0      along J where the drift begins
-///   velocities    J v >= 0,          lambda >= 0      along J at the present positions, for contacts that touch there
+///   positions     gap + h J v >= 0,  lambda >= 0      J: at the beginning of the drift
+///   velocities    J v >= 0,          lambda >= 0      J: at the present positions, for contacts that touch there
 ///
 /// with friction inside the cone in both. A sticking contact must not have slid at the end of the drift. A ball whose moments of
 /// inertia differ changes w as it drifts. So if it rolls, the first stage solves, with r the arm of the contact,
@@ -28,59 +28,59 @@ inline BodyPair pair_of(const Contact& at) {
 ///   J_t v + h/2 (a x r)_t = 0,   a = -I^-1 (w x I w)      for both bodies, which is the mean speed of the drift
 ///
 /// Sliding friction depends on a velocity. It opposes the remaining slip in the second stage, and the slip before the step in the
-/// first, lambda (n - mu t). Backwards in time the two are exchanged, so the step is also of second order if the slip turns.
-/// If friction would reverse the slip, the contact is tried as sticking.
+/// first, lambda (n - mu t). Backwards in time the two slips are exchanged, so the step is also of second order if the slip changes
+/// its direction. If friction would reverse the slip, the contact is tried as sticking.
 ///
-/// A resting contact has the same impulses in all stages. So the guess is tried first, contact by contact and without rows. The
-/// bodies receive it, and if every speed then satisfies the contact law, it is the solution. Constant impulses do not hold a tall
-/// pile for ever, because rounding errors grow. Then Newton's method solves up to rounding again, or chapter 17 if the guess is
-/// too far off. Such a solution also takes back what has added up in many stages. The next guess takes over only the part
-/// that arose in this stage,
+/// A resting contact has the same impulses in all stages. So the guess is tried first, contact by contact and without rows. It is
+/// applied to the bodies, and if every speed then satisfies the contact law, it is the solution. Constant impulses do not hold a
+/// tall pile for ever, because rounding errors grow. Then Newton's method solves up to rounding again, or chapter 17's solver if
+/// the guess is too far off. Such a solution also corrects the errors of many earlier stages. The next guess therefore adopts only
+/// the part of the correction that belongs to this stage,
 ///
 ///   2 (1 - left / residual)      of the difference between solution and guess
 ///
-/// where `left` is what the previous stage left. If it took over all, it would err as much in the opposite direction, and a
-/// pyramid at rest would have to be solved in every fourth stage.
+/// where `left` is the residual of the previous stage. If the guess adopted all of it, its error would be as large in the opposite
+/// direction, and a pyramid at rest would have to be solved in every fourth stage.
 class HeldContacts {
  public:
-  /// m: a gap that is rounding
+  /// A gap up to this is rounding, m.
   static constexpr Real touches = std::numeric_limits<Real>::digits > 24 ? Real(1e-9) : Real(1e-5);
 
   Real threshold = Real(0.1);  ///< m/s; slower impacts do not bounce
-  double most_work = 1e10;     ///< multiplications, roughly, from `begin` to `begin`, before a stage fails
-  /// Solve without a guess (chapter 17) if Newton's method fails from the guess. Otherwise the stage fails there.
+  double most_work = 1e10;     ///< approximate multiplications from one `begin` to the next, before a stage fails
+  /// Whether a stage is solved without a guess (chapter 17) if Newton's method fails from the guess. If not, the stage fails.
   bool fall_back_to_full_solve = true;
   /// Contacts are held only for these pairs, ascending, or for all pairs if not given.
   std::optional<std::vector<BodyPair>> only;
   bool holds(const ContactId& id) const;
 
-  /// World::contacts are for the present positions. The previous impulses of each come from World::contacts_before.
+  /// Begins with World::contacts, which are for the present positions. Their previous impulses come from World::contacts_before.
   void begin(const World& world);
   /// Stores the approach speed and the slip of each touching contact at the start of a step.
   void look(const World& world);
-  /// The first stage. False if it cannot be solved, and then `failure` gives the reason.
+  /// The first stage. Returns false if it cannot be solved, and then `failure` gives the reason.
   bool press(World& world, Real h);
-  /// World::contacts are for the present positions.
+  /// Continues with World::contacts, which have been detected again at the present positions.
   void after_detection(const World& world);
-  /// The drift after the next `press` turns this contact of World::contacts in by `depth` m more than J and earlier calls account for.
-  /// The press aims higher by that much.
+  /// Announces that the drift after the next `press` will deepen this contact of World::contacts by `depth` m more than J and earlier
+  /// calls predict, because the bodies rotate. `press` then requires a gap that is larger by `depth`.
   void bends(std::size_t contact, Real depth) { known_[contact].bends += depth; }
-  /// The second stage. False as above.
+  /// The second stage. Returns false as `press` does.
   bool project(World& world, Real h);
   const std::string& failure() const { return failure_; }
-  /// Adds an impulse that acted at a contact of World::contacts between two steps: N s along its normal, its first and its second
+  /// Adds an impulse that acted at a contact of World::contacts between two steps, N s, along its normal, its first and its second
   /// tangent. Call `look` after the last one.
   void add(const World& world, std::size_t contact, const Vec3& impulses);
-  /// Adds to each body's acceleration, m/s^2, the part of the held contacts, if they carry the same load as in the previous
+  /// Adds to each body's acceleration (m/s^2) the acceleration by the held contacts, if they carry the same load as in the previous
   /// stage.
   void add_borne(const World& world, std::vector<Vec3>& accelerations) const;
 
-  // ---- together with joints: each stage in two parts, between which another solver runs --------------------------
+  // ---- together with joints, where each stage has two parts and another solver runs in between -------------------
   void begin_pressing(World& world, Real h);
   void end_pressing(const World& world, Real h);
   void begin_projecting(World& world, Real h);
   void end_projecting(const World& world, Real h);
-  /// Rows of the contacts that take part, starting from the guess, which the bodies have received.
+  /// Adds the rows of the contacts that take part. They start from the guess, which has been applied to the bodies.
   void add_to(NewtonFromGuess& newton, World& world) { stage_.add_to(newton, world); }
   /// Stores the impulses of these rows.
   void take(const World& world) { stage_.read_rows(world); }
@@ -89,9 +89,9 @@ class HeldContacts {
   /// Lets Coulomb's law decide which contacts slide, and in which direction. The rows must be rebuilt.
   void find_out() { stage_.release_all(); }
 
-  /// Contact::impulse: the sum since `begin`, projected to the present cone; and Contact::state. The next step starts from both.
+  /// Sets Contact::impulse to the sum since `begin`, projected to the present cone, and Contact::state. The next step starts from both.
   void report(World& world) const;
-  /// Contact::impulse: the momentum given since `begin`. Contacts that have parted are listed as well.
+  /// Sets Contact::impulse to the sum since `begin`, and adds the contacts that have parted to World::contacts.
   void report_sums(World& world) const { sums_.write_to(world.contacts); }
 
   /// The number of matrices factored since `begin`. 0 if the guess was the solution.
@@ -103,16 +103,16 @@ class HeldContacts {
   int rows() const { return 3 * static_cast<int>(stage_.size()); }
 
  private:
-  struct ContactMemory {  // of a contact, by its id
+  struct ContactMemory {  // of one contact, found by its id
     ContactId id;
-    Vec3 borne = Vec3::Zero();            // N, in both stages of the substep before
+    Vec3 borne = Vec3::Zero();            // N, in both stages of the previous substep
     Vec3 pressing = Vec3::Zero();         // N s, in the first stage
-    Vec3 total = Vec3::Zero();            // N s, since `begin`: along the normal and both tangents of each stage
-    Vec3 last = Vec3::Zero();             // N s, in the second
-    Real approach = 0;                    // J v as the step began, m/s
+    Vec3 total = Vec3::Zero();            // N s, since `begin`, along the normal and both tangents of each stage
+    Vec3 last = Vec3::Zero();             // N s, in the second stage
+    Real approach = 0;                    // J v at the beginning of the step, m/s
     Vec3 slip = Vec3::Zero();             // u_t then, m/s
     bool pressed = false;                 // in the first stage
-    Real bends = 0;                       // m: by how much the next drift turns it further in than J says
+    Real bends = 0;                       // m, see `bends`
     std::size_t sum = ContactSums::none;  // its place in sums_
   };
   bool solve(World& world, Real h);
@@ -122,8 +122,8 @@ class HeldContacts {
   WarmDirectContacts direct_ = exact_direct_contacts();
   NewtonFromGuess newton_;
   StageContacts stage_;
-  double left_ = 0;     // m/s: the error that the stage before left at some contact
-  double lasting_ = 1;  // the part of the difference between solution and guess that the next guess takes over
+  double left_ = 0;     // m/s, the residual of the previous stage
+  double lasting_ = 1;  // the fraction of the difference between solution and guess that the next guess adopts
   Contacts touching_;   // the touching contacts of stage_
   std::string failure_;
   std::vector<ContactMemory> known_, known_before_;  // of World::contacts, ascending

@@ -1,4 +1,4 @@
-/// Joints in two stages: the position after the drift, and the velocity at its end.
+/// Joints in two stages, for the positions after the drift and for the velocities at its end.
 #pragma once
 
 #include "pushback/engine/direct/joint_matrix.h"
@@ -11,60 +11,61 @@ namespace pushback {
 ///   velocities    J v + dC/dt = 0,     by impulses along J at the present positions
 ///   positions     C = 0 after a drift of h s, by impulses along the same J, at the start of the drift
 ///
-/// So rows are placed once per step, at the end of one drift, where the next one begins. The other kinds of equations are:
+/// So rows are built once per step, at the end of one drift, where the next one begins. The other kinds of equations are:
 ///
 ///   a limit       C >= 0, lambda >= 0, like a contact's gap. C + h J v >= 0, then J v >= 0 if it has been reached
-///   a motor       |lambda| <= h/2 force in each stage. C + h (J v + dC/dt) = 0, then J v + dC/dt = 0, as far as that goes
+///   a motor       |lambda| <= h/2 force in each stage. C + h (J v + dC/dt) = 0, then J v + dC/dt = 0, as far as the force allows
 ///   a spring      a force instead of a constraint, -k C - c J v, in both halves of the kick. The first half uses the velocity
-///                 before it, the second the velocity after it. Backwards in time the two are exchanged
+///                 before it, and the second half the velocity after it. Backwards in time the two are exchanged
 ///
 /// Limits, motors and dampers are solved together with all other rows, by NewtonFromGuess.
 class HeldJoints {
  public:
-  /// Throws InvalidInput if an equation gives way and has a limit, and for `both_ways` in time also if one has a limit or damps.
+  /// Throws InvalidInput if an equation is soft and has a limit. With `both_ways`, for steps that also go backwards in time, it also
+  /// throws if an equation has a limit or damps.
   void check(const World& world, bool both_ways);
   /// Evaluates all joints at the present positions. The load of each row comes from World::joints, as the latest step left it.
   void begin(const World& world);
-  /// C of the rigid equations at the present positions and at this time (s). Returns the largest |C|.
+  /// Evaluates C of the rigid equations at the present positions and at this time (s). Returns the largest |C|.
   Real ask(const World& world, Real time);
-  /// Rows at the latest `ask`, from the bodies' I^-1.
+  /// Builds the rows from the latest `ask` and the bodies' I^-1.
   void place(World& world, Real time, Real h);
-  /// The first half of the spring impulses, by the velocities before it. Returns the reason if h is too long for a spring.
+  /// Applies the first half of the spring impulses, by the velocities before it. Returns the reason if h is too long for a spring.
   std::string pull(const World& world, Real h);
-  /// The second half, for springs without damping.
+  /// Applies the second half, for springs without damping.
   void pull_on(Real h);
-  /// The expected impulses of the rows in half of h.
+  /// Applies the expected impulses of the rows in half of h.
   void start(Real h);
-  /// After the last `ask`:   A lambda = -C / h
+  /// Solves the first stage for the C of the latest `ask`:   A lambda = -C / h
   void press(Real h);
-  /// A lambda = -(J v + dC/dt). `h`: the step whose second half this is.
+  /// Solves the second stage of a step of h:   A lambda = -(J v + dC/dt)
   void project(Real h);
   /// Ends the first stage and adds its impulses to the sums.
   void pressed();
-  /// Ends the second stage likewise. Its impulses are the expected ones of the next step.
+  /// Ends the second stage likewise. Its impulses become the expected impulses of the next step.
   void projected(Real h);
-  /// At an impact, where the rows are placed: the impulses of rigid equations, and of limits that are reached.
+  /// Adds to `newton` the rows of an impact at the present positions, for rigid equations and for limits that are reached.
   void strike(NewtonFromGuess& newton);
-  /// Adds its impulses to the sums.
+  /// Adds the impulses of the impact to the sums.
   void struck();
-  /// Joint::impulses and last_impulses: the sums since `begin`.
+  /// Sets Joint::impulses and last_impulses to the sums since `begin`.
   void report(World& world) const;
 
   bool empty() const { return held_.empty(); }
   int rows() const { return static_cast<int>(rows_.size()); }
-  /// Whether A is enough to solve them.
+  /// Whether all equations are rigid or undamped springs, so that solves with A are enough.
   bool linear() const { return linear_; }
   /// The joint whose equation had the largest error at the latest evaluation.
   std::size_t worst() const { return worst_; }
 
   // ---- together with contacts -------------------------------------------------------------------------------------
-  /// Limits and motors for the first stage of h, at the present positions.
+  /// Sets bias and limits of limits and motors for the first stage of h, at the present positions.
   void aim(const World& world, Real time, Real h);
-  /// The rigid equations after the latest `ask`: J v + b = C / h.
+  /// Sets the bias of rigid equations so that J v + b = C / h, with the C of the latest `ask`.
   void aim_rigid(Real h);
-  /// All equations for the second stage.
+  /// Sets bias and limits of all equations for the second stage.
   void settle(Real h);
-  /// The rows of the first or of the second stage.
+  /// Adds the rows of the first or of the second stage to `newton`.
   void add_to(NewtonFromGuess& newton, bool second);
 
  private:
@@ -72,19 +73,19 @@ class HeldJoints {
   struct HeldRow {  // of each row
     Kind kind;
     Real lo, hi;                      // N
-    Real borne = 0;                   // N, in the stage before
+    Real borne = 0;                   // N, in the previous stage
     Real total = 0;                   // N s, since `begin`
     Real moving = 0;                  // dC/dt, m/s
-    Real stiffness = 0, damping = 0;  // k, N/m; c, N s/m
+    Real stiffness = 0, damping = 0;  // k (N/m), c (N s/m)
     Real c = 0;                       // C of a spring or of a limit, m
     Real pressing = 0;                // N s, in the first stage
-    bool takes_part = true;           // a limit that is reached
-    bool overlapped = false;          // one that was passed as the step began
+    bool takes_part = true;           // for a limit: whether it is reached
+    bool overlapped = false;          // for a limit: whether it was violated at the beginning of the step
   };
   void apply(const std::vector<double>& lambda);
   void solve(std::vector<double>& lambda);
   void find_springs(const World& world);
-  /// `act(held, equation, row)` for each row of this kind.
+  /// Calls `act(held, equation, row)` for each row of this kind.
   template <class Act>
   void each(const World& world, const TimeStep& now, Kind kind, const Act& act);
 
@@ -95,8 +96,8 @@ class HeldJoints {
   Equations equations_, asked_;
   std::vector<JointMatrix::JointBodies> joints_held_;
   std::vector<HeldRow> held_;
-  std::vector<std::size_t> joints_;  // of each of joints_held_, its index in the world
-  std::vector<char> taken_;          // by A
+  std::vector<std::size_t> joints_;  // the index in the world of each element of joints_held_
+  std::vector<char> taken_;          // for each row, whether A contains it
   std::vector<double> lambda_;
   std::size_t worst_ = 0;
 };

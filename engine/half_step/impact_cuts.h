@@ -1,67 +1,69 @@
-/// Half steps that are cut where bodies meet.
+/// Half steps that are cut at the times at which bodies meet.
 #pragma once
 
 #include "pushback/engine/half_step/kick_drift.h"
 
 namespace pushback {
 
-/// The way to solve an impact (chapter 09): pair by pair, the fastest first, until no pair approaches, or all pairs at once. Pair by pair
-/// also ends at once where nothing bounces and a pair comes again hardly slower than before.
+/// How an impact is solved (chapter 09). Sequential: pair by pair, the fastest first, until no pair approaches, or until nothing
+/// bounces and a pair approaches again almost as fast as before. Simultaneous: all pairs at once.
 enum class Impacts { sequential, simultaneous };
 
 /// Pairs that are apart fly freely, without constraints:
 ///
-///   1. the first time at which any of them touch, see first_touch.h
-///   2. a half step until then, in which pairs that stay in touch are held as in chapter 24
-///   3. an impact of bodies that touch and approach:  J v >= -e v_n,  impulses in the cone, solved directly (chapter 17), with
-///      a smaller e where e and friction together would add energy
+///   1. finds the first time at which any of them touch, see first_touch.h
+///   2. takes a half step until then, in which pairs that stay in touch are held as in chapter 24
+///   3. solves an impact of the bodies that touch and approach,  J v >= -e v_n,  impulses in the cone, directly (chapter 17), with
+///      a smaller e if e and friction together would add energy
 ///
-/// and again, until the step is over. So bodies without joints that are apart when a step begins cannot pass through each other. A
-/// pair that stays in touch is held as in chapter 24, also at other points.
+/// and repeats this until the step is over. So bodies without joints that are apart when a step begins cannot pass through each other.
+/// A pair that stays in touch is held as in chapter 24, also at other points.
 ///
-/// A held body may come down with its other end, or turn so far in a drift that it sinks in. The drift is then repeated, and ends when the
-/// sinking begins.
+/// The other end of a held body may come down, or the body may turn so far in a drift that it sinks in. The drift is then repeated and
+/// ends when the body begins to sink.
 ///
-/// Bounces end. A body that leaves with u and is pressed back by a returns after 2 u / a, slower by e. Infinitely many bounces take
+/// Infinitely many bounces take a finite time. A body that leaves at speed u with an acceleration a back towards the contact returns
+/// after 2 u / a, and leaves again at e u. All its bounces take
 ///
 ///   T = 2 u / (a (1 - e))
 ///
-/// If T is not above a substep, this is the last bounce. The body leaves with no speed, u^2 / (2 a) <= a h^2 (1 - e)^2 / 8 too
-/// low. With joints a is not known in advance, and is taken to be g.
+/// If T is at most a substep, this is the last bounce. The body leaves with no speed, so it is too low by at most
+/// u^2 / (2 a) <= a h^2 (1 - e)^2 / 8. With joints a is not known in advance, and g is used instead.
 ///
 /// Joined bodies do not fly freely. The half step itself gives their motion, because its drift uses v + h/2 a, where a includes the
-/// joints. The time of touch of bodies that accelerate so is off by O(h^3). Newton's method corrects it, with a half step up to that time
-/// in each round. A touch that ends before the part does may be missed if it is not deeper than 2/81 h^3 max |x'''|. The impact is
-/// solved together with J v = 0 of the joints. A limit that is reached within a step is an impact as well, but the step is not cut for it.
+/// joints. The time of touch that follows from this acceleration has an error of O(h^3). Newton's method corrects it, with a half step
+/// up to that time in each round. A touch that ends within a part of a step may be missed if it is not deeper than
+/// 2/81 h^3 max |x'''|. The impact is solved together with J v = 0 of the joints. A limit that is reached within a step is an impact as
+/// well, but the step is not cut for it.
 class ImpactCuts {
  public:
-  static constexpr Real sinks = Real(1e-4);  ///< m: a drift lets a held contact in by no more than this
+  static constexpr Real sinks = Real(1e-4);  ///< m, the most by which a held contact may sink in a drift
 
   Impacts impacts = Impacts::simultaneous;
-  int most_events = 64;  ///< in a substep; the rest of it is then a half step in which all pairs are held
+  int most_events = 64;  ///< in a substep; its rest is then a half step in which all pairs are held
 
-  /// Before a step.
+  /// Call it before each step.
   void begin() { events_ = 0, taken_ = 0, bound_reached_ = held_ = false; }
-  /// A substep of h. False leaves the reason in `motion.failure`.
+  /// A substep of h. If it fails, returns false, and `motion.failure` gives the reason.
   bool advance(KickDrift& motion, World& world, Real h);
 
   // ---- of the latest step ---------------------------------------------------------------------------------------------
   int events() const { return events_; }                 ///< how often bodies met
-  bool bound_reached() const { return bound_reached_; }  ///< whether `most_events` were too few
-  Real taken() const { return taken_; }                  ///< J: kinetic energy that impacts have dissipated
+  bool bound_reached() const { return bound_reached_; }  ///< whether `most_events` was reached
+  Real taken() const { return taken_; }                  ///< J, the kinetic energy that impacts have dissipated
   bool held() const { return held_; }                    ///< whether contacts were held
 
  private:
   static constexpr Real touches = HeldContacts::touches;
   static constexpr Real stands = std::numeric_limits<Real>::digits > 24 ? Real(1e-6)
-                                                                        : Real(1e-3);  // m/s: slower is no impact
-  struct Sunk {  // a held contact that the drift has let in
-    Real since;  // s: since it began to sink; infinite if unknown
+                                                                        : Real(1e-3);  // m/s; slower is no impact
+  struct Sunk {  // a held contact that sank in the drift
+    Real since;  // s, since it began to sink, or infinite if that is unknown
     std::ptrdiff_t known =
-        -1;       // its index in the contacts before the drift, if it touched there and the turn explains all of it
+        -1;       // its index in the contacts before the drift, if it touched then and only its rotation makes it sink
     Real by = 0;  // m
   };
-  /// s: the length of a part of a substep, or nothing if the part failed.
+  /// The length of a part of a substep, s, or none if the part failed.
   using Length = std::optional<Real>;
 
   bool impact(KickDrift& motion, World& world, Real h, bool& met);
@@ -81,8 +83,8 @@ class ImpactCuts {
   Length move_joined(KickDrift& motion, World& world, Real within);
 
   std::vector<std::size_t> touching_, of_pair_;  // indices of World::contacts
-  std::vector<Vec3> accelerations_, turning_;    // of each body, with the loads of contacts, m/s^2 and rad/s^2
-  std::optional<BodyPair> first_;                // of KickDrift::near_pairs, the pair that touches first
+  std::vector<Vec3> accelerations_, turning_;    // of each body, including the loads of contacts, m/s^2 and rad/s^2
+  std::optional<BodyPair> first_;                // the pair of KickDrift::near_pairs that touches first
   WarmDirectContacts direct_ = exact_direct_contacts();
   int events_ = 0;
   Real taken_ = 0;

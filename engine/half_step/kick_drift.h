@@ -1,4 +1,4 @@
-/// One half step of a world, as kick, drift and kick.
+/// Advances a world by half steps, each of which is a kick, a drift and a kick.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace pushback {
 
-/// x += h v and the turn of h w, as a free body moves. I^-1 stays behind until it is refreshed.
+/// x += h v and the rotation by h w, as a free body moves. Does not refresh I^-1.
 void drift(Body& body, Real h);
 
 /// The state of a step that is divided into half steps, for HalfStep and ImpactCuts. Functions that return false leave the reason
@@ -34,36 +34,36 @@ class KickDrift {
   HalfStepSettings settings;
   HeldContacts contacts;
   bool contact_free = true;  ///< no bodies come near each other in this step, so contacts are skipped
-  bool cuts = false;         ///< ImpactCuts is at work: where no pair is held, only `near_pairs` are detected
+  bool cuts = false;         ///< whether ImpactCuts runs, so that only `near_pairs` are detected if no pair is held
   std::vector<BodyPair> near_pairs;
-  bool detected_ahead = false;          ///< World::contacts lists what may touch in the next drift
+  bool detected_ahead = false;  ///< whether World::contacts includes the contacts that may touch in the next drift
   std::vector<BodyState> before_drift;  ///< each body, before the latest drift
   std::string failure;
 
-  /// Throws InvalidInput if half steps cannot take this world. `backwards`: the step is composed of steps that go back in time.
+  /// Throws InvalidInput if half steps cannot solve this world. `backwards`: whether some steps of the composition go back in time.
   void check(const World& world, bool backwards);
-  /// Begins a step of h, s, in which contacts are held if `with_contacts`. The bodies have the velocities from before gravity.
+  /// Begins a step of h, s, in which contacts are held if `with_contacts`. The bodies have their velocities before gravity acts.
   void begin(World& world, Real h, bool with_contacts);
-  /// A half step of h, divided where Newton's method does not converge.
+  /// A half step of h, halved if Newton's method does not converge.
   bool advance(World& world, Real h) { return halve(world, h, 0); }
   /// Writes the impulses of the step into joints and contacts.
   void report(World& world);
 
-  /// Finds the contacts where a drift of h has ended.
+  /// Finds the contacts at the end of a drift of h.
   void detect_contacts(World& world, Real h);
-  /// Finds what may touch in a drift of h from where the bodies are.
+  /// Finds the contacts that may touch in a drift of h from the present positions.
   void look_ahead(World& world, Real h);
-  /// The margin of a drift of h, which is the distance by which two bodies may approach.
+  /// The margin of a drift of h, which is the distance by which two bodies may approach. `gravity`: m/s^2.
   static Margin margin(Real gravity, Real h);
-  /// From forces, where the bodies are.
+  /// The acceleration of a body by forces, at the present positions.
   Acceleration acceleration(const World& world, std::size_t body) const;
-  /// Counts multiplications of the caller. False if they exceed what is left.
+  /// Counts multiplications of the caller. Returns false if they exceed the rest.
   bool spend(double work);
   double work_left() const { return settings.most_work - work(); }
   Snapshot snapshot(const World& world) const;
   void restore(World& world, const Snapshot& snapshot);
-  /// An impact in a substep of h, with rows of all normals, then two tangents of each contact, and the joints. False if it cannot
-  /// be solved.
+  /// Solves an impact in a substep of h, with the rows of all normals, then two tangents of each contact, and with the joints. Returns
+  /// false if it cannot be solved.
   bool strike(World& world, const Contacts& at, Rows& rows, Real h);
 
   // ---- of the latest step ---------------------------------------------------------------------------------------------
@@ -88,10 +88,10 @@ class KickDrift {
 
   HeldJoints joints_;
   NewtonFromGuess together_;
-  std::vector<std::pair<Vec3, Vec3>> by_hand_;  // force and torque of each body; empty if no body has any
-  std::vector<Acceleration> accelerations_;     // of each body, where it is; empty if only gravity acts
-  std::vector<BodyState> begun_;                // the half step
-  Real time_ = 0;                               // s: of the bodies
+  std::vector<std::pair<Vec3, Vec3>> by_hand_;  // force and torque of each body, or empty if no body has any
+  std::vector<Acceleration> accelerations_;     // of each body at its present position, or empty if only gravity acts
+  std::vector<BodyState> begun_;                // each body at the beginning of the half step
+  Real time_ = 0;                               // s, the time to which the bodies have been moved
   Real speed_error_ = 0;
   int halvings_ = 0, rounds_ = 0;
 };

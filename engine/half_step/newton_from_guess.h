@@ -1,4 +1,4 @@
-/// All rows of a stage at once, from a guess that is near: Newton's method, with a matrix between bodies.
+/// Solves all rows of a stage at once from a close guess, by Newton's method with a matrix of body blocks.
 #pragma once
 
 #include <array>
@@ -8,62 +8,62 @@
 
 namespace pushback {
 
-/// What each row is after, as an equation f = 0 in its impulse l and its speed u = J V + b:
+/// Each contact or row is an equation f = 0 in its impulse l and its speed u = J V + b:
 ///
-///   a contact          chapter 17's CoulombEquation, Coulomb's, of three rows
+///   a contact          CoulombEquation of chapter 17, of three rows
 ///   a joint's row      f = l - clamp(l - u / (K + gamma), lo, hi),  u = J V + b + gamma l      without limits u / (K + gamma)
 ///
-/// Chapter 17's step for f, with its pull p that keeps it solvable where rows say the same thing twice,
+/// Chapter 17's Newton step for f, with the proximal term p that keeps it solvable if rows are redundant,
 ///
 ///   df_dl dl + df_du (J dV + p dl) = -f,     dV = M^-1 J^T dl
 ///
-/// is solved for dV: with E = df_dl + p df_du
+/// is solved for dV. With E = df_dl + p df_du,
 ///
 ///   (1 + M^-1 J^T E^-1 df_du J) dV = -M^-1 J^T E^-1 f,     dl = -E^-1 (f + df_du J dV)
 ///
-/// A box on a box has 12 rows and 2 bodies. The matrix is kept from one step to the next, and for the next system where the same act
-/// on the same, as long as |f| falls well.
+/// A box on a box has 12 rows but only 2 bodies. The matrix is kept for the next Newton step, and for the next system with the same
+/// bodies and rows, as long as each step reduces |f| to a tenth.
 class NewtonFromGuess {
  public:
-  /// No rows.
+  /// Removes all rows.
   void clear() { groups_.clear(); }
-  /// No matrix either.
+  /// Discards the matrix.
   void forget() { kept_.clear(); }
   void add_contact(Row& normal, Row& tangent1, Row& tangent2, Real friction);
   void add(JointRow& row);
-  /// l >= 0, u >= 0, one of them 0.
+  /// Adds a row with l >= 0, u >= 0, l u = 0.
   void add_normal(Row& row);
-  /// The largest speed that a row is wrong by, m/s.
+  /// The largest error of a row, as a speed, m/s.
   double off();
-  /// Sweeps over each contact and row as if it were alone, l <- l - f.
+  /// Sweeps over the contacts and rows, and solves each as if it were alone, l <- l - f.
   void sweep(int times);
-  /// Goes on until no row is wrong by more than `enough`, m/s, and then as far as steps are cheap. False where it does not get there:
-  /// rows and bodies are then as at the best point met. Where `just` is reached, it does not try hard.
+  /// Iterates until no row has an error above `enough`, m/s, and then as long as steps are cheap. Returns whether it has reached this.
+  /// Rows and bodies are left at the best point found. Once the error is at most `just`, no step that increases |f| is tried.
   bool solve(World& world, double enough, double just = 0);
-  int factored = 0;  ///< matrices, since the caller reset it to 0
-  double near = 0;   ///< m/s: where no row is wrong by more, it needs little pull, and little is faster
-  /// Multiplications, roughly, that are left to it. Once they are spent, it stops where it is.
+  int factored = 0;  ///< number of matrices factored since the caller reset it to 0
+  double near = 0;   ///< m/s; if no row has a larger error, it starts with a smaller p, which converges faster
+  /// The approximate multiplications that it may still take. It stops once they are spent.
   double work = std::numeric_limits<double>::infinity();
   double largest = std::numeric_limits<double>::infinity();  ///< multiplications that a single matrix may take
-  bool too_large = false;                                    ///< whether the latest one would have taken more
+  bool too_large = false;                                    ///< whether the latest matrix would have taken more
 
  private:
   using Three = Eigen::Vector3d;
-  struct Group {  // a contact, or one row: then the other two numbers are 0
+  struct Group {  // a contact, or a single row, for which the other two numbers are 0
     std::array<Row*, 3> rows;
     int count;
     double mu, softness;
     Eigen::Matrix3d w;             // J M^-1 J^T of its rows
-    int a, b;                      // places of its bodies; not_moving
+    int a, b;                      // indices of its bodies in the matrix, or not_moving
     Three l, u, f;                 // now
     Eigen::Matrix3d df_du, df_dl;  // now
     Three change;                  // dl
   };
-  struct Kept {  // of a group, as the matrix has it
+  struct Kept {  // the data of a group from which the matrix was made
     int a, b, count;
     Eigen::Matrix3d df_du, inverse;  // df_du, E^-1
   };
-  struct Total {  // of all f, m/s
+  struct Total {  // error of all groups, m/s
     double sum, largest;
   };
   struct State {
@@ -84,12 +84,12 @@ class NewtonFromGuess {
 
   std::vector<Group> groups_;
   std::vector<Kept> kept_;
-  std::vector<int> places_;  // of each body, in the matrix
+  std::vector<int> places_;  // index of each body of the world in the matrix
   int bodies_ = 0;
   BodyMatrix::Pairs pairs_;
   BodyMatrix matrix_;
   std::vector<BodyMatrix::Six> speeds_;
-  State best_, before_;  // so far; a step
+  State best_, before_;  // the best point so far, and the point before a step
 };
 
 }  // namespace pushback

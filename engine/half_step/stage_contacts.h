@@ -10,12 +10,12 @@ struct StageContact {
   Real bias;             ///< b of its normal, m/s
   Vec3 tangential_bias;  ///< b of its tangents, m/s, world axes
   Vec3 impulse;          ///< N s, on B, world axes
-  Vec3 slip_direction;   ///< unit: friction acts against it. 0 if Coulomb's law decides
+  Vec3 slip_direction;   ///< unit, opposite to friction; 0 if Coulomb's law decides the direction
 
   bool slides() const { return !slip_direction.isZero(0); }
 };
 
-/// The squared error of Coulomb's law where the speed is u = J v + b, m/s, world axes: |r - Pi(r - s)|^2 with the symbols of
+/// The squared error of Coulomb's law for the speed u = J v + b (m/s, world axes), |r - Pi(r - s)|^2 with the symbols of
 /// chapter 16's contact_problem.h. If the contact slides, only its normal counts.
 Real squared_error(const Contact& contact, const StageContact& at, const Vec3& u);
 
@@ -31,21 +31,22 @@ class StageContacts {
 
   /// Applies the impulses to the bodies. Impulses below `tolerance` times `unit()` become 0, because such a contact has parted.
   void apply_guess(World& world, double tolerance);
-  /// m/s: the largest |J V + b| before the impulses were applied, but so much that rounding is solved. Residuals are fractions of it.
+  /// The unit of residuals, m/s. It is the largest |J V + b| before the impulses were applied, and at least so large that the rounding
+  /// of velocities is within the tolerance.
   double unit() const { return unit_; }
   /// Chapter 16's relative_residual of the worst contact. Infinite if a contact slides against its slip direction.
   double residual(const World& world) const;
 
-  /// Makes the rows where the bodies are: all normals, then both tangents of each contact without a slip direction.
+  /// Makes the rows at the present positions, first all normals, then both tangents of each contact without a slip direction.
   void build_rows(World& world);
   /// Makes the rows and adds them to `newton`.
   void add_to(NewtonFromGuess& newton, World& world);
   Rows& rows() { return rows_; }
   /// Takes the impulses from the rows.
   void read_rows(const World& world);
-  /// Removes the slip direction of each contact that slides against it. Returns whether there is one. If so, make the rows again.
+  /// Removes the slip direction of each contact that slides against it. Returns whether there is one. If so, rebuild the rows.
   bool release_reversed(const World& world);
-  /// Removes all slip directions. Make the rows again.
+  /// Removes all slip directions. Rebuild the rows afterwards.
   void release_all();
 
  private:

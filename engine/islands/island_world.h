@@ -1,4 +1,4 @@
-/// An island, as a world of its own.
+/// An island as a separate world.
 #pragma once
 
 #include <algorithm>
@@ -13,11 +13,11 @@ class IslandWorld {
  public:
   World world;
   HalfStep half_step;
-  bool impact = false;  ///< bodies may meet in this step, so it is cut where they do
-  bool fourth = false;  ///< the island gets steps of fourth order, because it has joints but no contacts
-  bool held = false;    ///< it has been moved
-  Contacts found;       ///< of this step, if Fast moves the island
-  int substeps = 1;     ///< to which the impulses of its contacts belong
+  bool impact = false;  ///< whether bodies may meet in this step, which is then cut at impacts
+  bool fourth = false;  ///< whether the island gets fourth-order steps, because it has joints but no contacts
+  bool held = false;    ///< whether the island has been moved
+  Contacts found;       ///< the contacts of this step, if Fast moves the island
+  int substeps = 1;     ///< number of substeps in a step; impulses of contacts are for one of them
 
   /// Sets what `half_step` does, after a change of the above.
   void set_order() {
@@ -26,10 +26,10 @@ class IslandWorld {
     if (fourth) half_step.composition = suzuki;
   }
   void set(const HalfStepSettings& settings) { static_cast<HalfStepSettings&>(half_step) = settings; }
-  /// Joints and contacts have to be solved together.
+  /// Whether joints and contacts have to be solved together.
   bool joined_and_near() const { return impact && !world.joints.empty(); }
 
-  /// `lowest`: of its bodies that move.
+  /// Empties the island. `lowest`: the lowest index of its movable bodies.
   void begin(const World& whole, int lowest) {
     lowest_ = lowest;
     held = fourth = false;
@@ -43,13 +43,13 @@ class IslandWorld {
     world.dt_before = whole.dt_before;
     world.last_impulses_known = false;
   }
-  /// A body, any number of times. Add all bodies before contacts and joints.
+  /// Adds a body, which may be added more than once. Add all bodies before contacts and joints.
   void add(int body) { bodies_.push_back(body); }
   void sort() {
     std::sort(bodies_.begin(), bodies_.end());
     bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
   }
-  /// A contact of the step before, if both of its bodies are here.
+  /// Adds a contact of the previous step if the island contains both of its bodies.
   void add(const Contact& contact) { add(contact, world.contacts); }
   void add_found(const Contact& contact) { add(contact, found); }
   void take(Joint& joint, std::size_t index) {
@@ -81,7 +81,7 @@ class IslandWorld {
       all[joints_[i]] = std::move(joint);
     }
   }
-  /// Writes bodies and contacts into the whole world. `fraction`: the share of the last substep of the whole world in impulses.
+  /// Writes bodies and contacts into the whole world. `fraction`: the length of the whole world's last substep, as a fraction of the step.
   void give(World& whole, Real fraction) const {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       if (!world.bodies[i].movable()) continue;
@@ -117,8 +117,8 @@ class IslandWorld {
   }
 
   int lowest_ = 0;
-  std::vector<int> bodies_;          // of each of its bodies the index in the whole world, ascending
-  std::vector<std::size_t> joints_;  // of each of its joints
+  std::vector<int> bodies_;          // the index of each body in the whole world, ascending
+  std::vector<std::size_t> joints_;  // the index of each joint in the whole world
 };
 
 }  // namespace pushback

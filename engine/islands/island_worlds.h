@@ -1,4 +1,4 @@
-/// The islands that half steps or Fast move, as worlds.
+/// The islands that half steps or Fast move, as separate worlds.
 #pragma once
 
 #include "pushback/engine/islands/island_world.h"
@@ -8,12 +8,14 @@ namespace pushback {
 
 class IslandWorlds {
  public:
-  /// Makes a world of each island that gets half steps, or is a large pile. Moves its joints there, until `give_joints`. `found`: the contacts of this step.
+  /// Makes a world of each island that gets half steps or is a large pile. The island's joints are moved to that world, until
+  /// `give_joints` moves them back. `found`: the contacts of this step.
   void divide(World& world, StepClassifier& classifier, const Contacts& found);
   void give_joints(World& world);
   /// Gives large piles their contacts of this step.
   void give_found(const World& world, StepClassifier& classifier, const Contacts& found);
-  /// Writes the bodies and contacts of islands that have been moved into the whole world, whose last substep had `fraction` of the step.
+  /// Writes the bodies and contacts of islands that have been moved into the whole world. `fraction`: the length of the whole world's last
+  /// substep, as a fraction of the step.
   void commit(World& world, Real fraction) const;
 
   std::size_t size() const { return count_; }
@@ -26,7 +28,7 @@ class IslandWorlds {
 
   std::vector<IslandWorld> islands_;  // those from `count_` on are kept for their allocated memory
   std::size_t count_ = 0;
-  std::vector<int> place_;  // of each body that is the lowest of its island, in islands_
+  std::vector<int> place_;  // index in islands_, by the lowest body of each island
 };
 
 }  // namespace pushback

@@ -1,4 +1,4 @@
-/// The bodies that substeps move, while all others stand still.
+/// Moves the bodies that get substeps, while all others are fixed.
 #pragma once
 
 #include "pushback/engine/islands/island_settings.h"
@@ -6,13 +6,14 @@
 
 namespace pushback {
 
-/// The detections in a step of dt, s, of bodies that turn by up to `spin`, rad/s: one, or more if that is fast.
+/// The number of detections in a step of dt (s) for bodies with an angular speed of up to `spin`, rad/s. Fast rotations need more than
+/// one.
 int detections(Real spin, const ClassifierLimits& limits, Real dt);
 
 /// How the remaining bodies are moved in this step.
 struct SubstepPass {
   WideSolver<Real>& solver;
-  StepSolver& runner;  ///< the same solver, or one around it, which World::step calls
+  StepSolver& runner;  ///< passed to World::step: `solver`, or a solver that wraps it
   const IslandSettings& settings;
   Real dt;
   int sweeps;
@@ -20,16 +21,16 @@ struct SubstepPass {
 
 class RemainingBodies {
  public:
-  /// Moves immovable bodies, and all that `classifier` leaves to substeps, by dt. Bodies that get another step stand still meanwhile, and
-  /// their joints are left out. `found`: the contacts of this step, which are used up. Faster spins get more detections. Throws
-  /// InvalidInput as World::step does.
+  /// Moves immovable bodies, and all bodies that get substeps by `classifier`, by dt. Bodies that get another kind of step are fixed
+  /// meanwhile, and their joints are left out. `found`: the contacts of this step, which are moved from. Faster rotations get more
+  /// detections. Throws InvalidInput as World::step does.
   SolveStats step(World& world, const StepClassifier& classifier, Contacts& found, const SubstepPass& pass);
 
  private:
-  class Absence;  // of the joints and velocities of all other bodies
+  class Absence;  // removes the joints and velocities of all other bodies for a while
 
-  std::vector<Joint> joints_;                      // of the world
-  std::vector<std::size_t> lent_;                  // of these, the joints between remaining bodies
+  std::vector<Joint> joints_;                      // all joints of the world
+  std::vector<std::size_t> lent_;                  // indices of the joints between remaining bodies
   std::vector<std::pair<Vec3, Vec3>> velocities_;  // of all bodies
 };
 

@@ -1,8 +1,8 @@
-/// Questions about a scene and their answers with reasons: which effects it needs, and which step each of its islands gets.
+/// Answers with reasons which effects a scene needs, and which step each of its islands gets.
 ///
 /// The question for an effect is a type, so that code can be selected by the answers at compile time. To add an effect, add its question
-/// here or in its own header, and one word to AllQuestions. `only_if`: another question, earlier in AllQuestions. If the answer
-/// to it is no, this answer is no.
+/// here or in its own header, and one word to AllQuestions. `only_if`: another question, earlier in AllQuestions. If its answer is no,
+/// so is this one.
 #pragma once
 
 #include <string>
@@ -81,7 +81,7 @@ inline std::vector<NamedAnswer> effects_of(const World& world) {
 
 // ---- which step ----------------------------------------------------------------------------------------------------------
 
-/// A line of the second table, for the islands that get the same step for the same reason.
+/// A line of the second table, for all islands that get the same step for the same reason.
 struct StepAnswer {
   StepType step;
   std::string because;  ///< text for users, with counts for each island
@@ -92,9 +92,9 @@ struct StepAnswer {
 /// "flight", "half steps" or "substeps".
 const char* name_of(StepType step);
 
-/// The step that `solver` takes next: a copy of it takes that step, of dt (s), with a copy of the world. Throws as World::step does.
+/// The step that `solver` takes next. A copy of the solver takes that step of dt (s) with a copy of the world. Throws as World::step does.
 std::vector<StepAnswer> steps_of(const World& world, const IslandSolver& solver, Real dt);
-/// The first step of `Recommended`, of 1/60 s.
+/// The same for the first step of `Recommended`, of 1/60 s.
 std::vector<StepAnswer> steps_of(const World& world);
 
 }  // namespace pushback

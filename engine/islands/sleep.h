@@ -1,4 +1,4 @@
-/// Resting bodies are not simulated.
+/// Puts resting bodies to sleep, so that they are not simulated.
 #pragma once
 
 #include <map>
@@ -13,7 +13,7 @@ namespace pushback {
 /// and its contacts are stored until it wakes. It wakes as a whole if
 ///
 ///   - a body that is awake, or an immovable one that has a velocity, starts to touch it;
-///   - a spring or another Force differs from the one when it fell asleep;
+///   - a spring or another Force on it differs from its value when the island fell asleep;
 ///   - it is joined to an immovable body that moves, or by a driven joint;
 ///   - the caller gives one of its bodies a velocity, a force or another position;
 ///   - the caller moves or removes a body that it touches;
@@ -23,16 +23,16 @@ namespace pushback {
 /// If a Force acts on all bodies together, none sleeps, because its next values are unknown.
 class Sleep {
  public:
-  Real time_to_sleep = Real(0.5);  ///< for how long a body has to keep its place
+  Real time_to_sleep = Real(0.5);  ///< s, for how long a body has to stay in place
   Real rest_distance = Real(
-      0.25e-3);  ///< m: the most that its surface may move at rest; slower than rest_distance / time_to_sleep is rest
+      0.25e-3);  ///< m, the most by which its surface moves at rest; slower than rest_distance / time_to_sleep is rest
 
-  // ---- the bodies that take part in a step: see World::step --------------------------------------------------------
+  // ---- the bodies that take part in a step, see World::step --------------------------------------------------------
 
   /// Finds changes in the world since the latest step. Throws as World::step does, before anything has moved.
   void check(World& world);
-  /// With applied forces on the bodies: wakes bodies that these, joints or others touch, and finds contacts of awake bodies.
-  /// Impulses from before a body fell asleep count as impulses of the previous step.
+  /// Called when forces have been applied to the bodies. Wakes the bodies on which forces, joints or other bodies act, and finds the
+  /// contacts of awake bodies. Impulses from before a body fell asleep count as impulses of the previous step.
   void find_contacts(World& world, const Margin& margin = {});
   /// The bodies simulated in this step, in ascending order: movable and awake, or immovable but moving.
   template <class Act>
@@ -42,23 +42,23 @@ class Sleep {
   /// Puts resting bodies to sleep.
   void end(World& world, Real dt);
 
-  /// The island of this body, with all others that touch the body, or are joined to it, if it is immovable.
+  /// Wakes the island of this body. If the body is immovable, wakes all islands that touch it or are joined to it.
   void wake(World& world, int body);
   void wake_all(World& world);
-  /// Each sleeping island's bodies, ascending.
+  /// The bodies of each sleeping island, ascending.
   std::vector<std::vector<int>> asleep() const;
 
  private:
   struct Island {
     std::vector<int> bodies;
-    Contacts contacts;  // with what they carried
+    Contacts contacts;  // with their impulses
   };
-  struct Rest {  // of one that sleeps, or that nothing moves: where it is
-    Vec3 position = Vec3::Constant(std::numeric_limits<Real>::quiet_NaN());  // far from everywhere
+  struct Rest {  // the pose of a body that sleeps or does not move
+    Vec3 position = Vec3::Constant(std::numeric_limits<Real>::quiet_NaN());  // differs from any position
     Quat orientation = Quat::Identity();
     Real reach = 0;    // m, from the centre of mass to the farthest point of the shape
-    Real seconds = 0;  // since the body is there
-    int island = -1;   // in islands_, of a body that sleeps
+    Real seconds = 0;  // s, since the body has been there
+    int island = -1;   // index in islands_ if the body sleeps
     bool removed = false;
     std::optional<std::pair<Vec3, Vec3>> pull = {};  // force and torque in its first step asleep
   };
@@ -73,16 +73,16 @@ class Sleep {
   void build_tree(const World& world);
   Rest& rest(int body) { return rest_[std::size_t(body)]; }
 
-  std::vector<int> awake_, planes_, fixed_;  // movable; half-spaces; immovable otherwise
-  std::vector<int> driven_, driven_before_;  // immovable, and moving all the same
+  std::vector<int> awake_, planes_, fixed_;  // movable bodies, half-spaces, other immovable bodies
+  std::vector<int> driven_, driven_before_;  // immovable bodies with a velocity
   std::vector<int> simulated_;               // awake or driven
   std::vector<Rest> rest_;                   // of all bodies
-  std::vector<Island> islands_;              // a woken one leaves an empty place
+  std::vector<Island> islands_;              // a woken island leaves an empty element
   Islands touching_;
   StillBodies still_;
   bool tree_is_current_ = false;
   bool all_stay_awake_ = false;
-  Contacts woken_;  // of the islands woken since the latest step
+  Contacts woken_;  // contacts of the islands woken since the latest step
   Vec3 gravity_ = Vec3::Zero();
   std::size_t forces_ = 0, joints_ = 0;
 };

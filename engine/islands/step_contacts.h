@@ -1,4 +1,4 @@
-/// The contacts of a step, from which islands are made.
+/// The contacts of a step, which determine the islands.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace pushback {
 
-/// The feature id of a pair that is near but has no contact.
+/// The feature id of a pair that is near but has no contact point.
 inline constexpr std::uint32_t no_feature = std::numeric_limits<std::uint32_t>::max();
 
 class StepClassifier;
@@ -18,12 +18,13 @@ class StepContacts {
  public:
   Contacts found;
 
-  /// Finds the contacts within the plan's margin, and within the ways of the tips of free bodies that turn fast, because the margin follows
-  /// the centres only. Bodies that Fast moved in the step `before` need none of the latter. World::contacts remain the contacts of the step
-  /// before, with the impulses of its last substep.
+  /// Finds the contacts within the plan's margin. The margin depends only on the velocities of the centres, so for free bodies that
+  /// rotate fast, contacts within the distance that their farthest points move are found as well, except for bodies that Fast moved in
+  /// the previous step, which `before` has classified. World::contacts stays as the previous step left it, with the impulses of its
+  /// last substep.
   void find(World& world, const StepClassifier& before, const Plan& plan, Real dt);
-  /// Adds the contacts of pairs that are as near as the `ways` of both, m, and have none yet. `wanted(a, b)`: whether to look at this pair.
-  /// Returns whether it has added any.
+  /// Adds the contacts of pairs that have none yet and whose distance is at most the sum of both `ways`, m. `wanted(a, b)`: whether to
+  /// consider this pair. Returns whether it has added any.
   bool add_near(const World& world, const std::vector<Real>& ways,
                 const std::function<bool(std::size_t, std::size_t)>& wanted);
 

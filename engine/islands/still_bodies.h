@@ -1,4 +1,4 @@
-/// A search tree of bodies that stay in place. It finds the ones near a moving body without a test of each.
+/// A search tree of bodies that stay in place. It finds the bodies near a moving body without testing each.
 #pragma once
 
 #include <span>

@@ -22,7 +22,7 @@ class WorkBudgets {
   bool can_pay(int island, const StepClassifier& classifier, const WorkBudgetSettings& settings) {
     return !classifier.many_contacts(island) || of(island).can_pay(price(island, classifier, settings));
   }
-  /// Islands with many contacts that got substeps save. Gives each body its share.
+  /// Adds to the savings of islands with many contacts that got substeps, and gives each body its share.
   void share_out(const World& world, StepClassifier& classifier, const WorkBudgetSettings& settings) {
     for (const Body& body : world.bodies) {
       const int i = body.index;
@@ -36,16 +36,16 @@ class WorkBudgets {
       if (body.movable()) by_body_[std::size_t(body.index)] = of(classifier.island_of(body.index)).share();
   }
   WorkBudget& of(int island) { return by_island_[std::size_t(island)]; }
-  /// Multiplications, which are the work of substeps in a step. If Fast has moved the island, the work is Fast's.
+  /// The work of substeps in a step, in multiplications. If Fast moves the island, it is the work of Fast.
   static double price(int island, const StepClassifier& classifier, const WorkBudgetSettings& settings) {
     return (classifier.was_large(island) ? work_of_fast : 1) * settings.per_contact * classifier.contacts(island);
   }
 
  private:
-  static constexpr double work_of_fast = 0.125;  // of 32 substeps in double
+  static constexpr double work_of_fast = 0.125;  // as a fraction of the work of 32 substeps in double
 
   std::vector<WorkBudget> by_body_;
-  std::vector<WorkBudget> by_island_;  // of each body that is the lowest of its island
+  std::vector<WorkBudget> by_island_;  // by the lowest body of each island
 };
 
 }  // namespace pushback

@@ -9,7 +9,7 @@ namespace pushback {
 
 inline constexpr int lanes_per_bundle = 8;
 
-/// A number for each of eight pairs.
+/// One number for each of eight pairs.
 template <class Real>
 struct alignas(lanes_per_bundle * sizeof(Real)) EightNumbers {
   Real values[lanes_per_bundle];
@@ -34,7 +34,7 @@ template <class Real>
 struct WidePoint {
   EightVectors<Real> arm_a, arm_b;  ///< m, from the centres of mass
   EightNumbers<Real> gap;           ///< C_0, m
-  EightNumbers<Real> present;       ///< 1; or 0 if the pair has fewer points
+  EightNumbers<Real> present;       ///< 1, or 0 if the pair has fewer points
 };
 /// A contact of each pair: a KeptContact of chapter 21. If a pair has fewer points, its masses are 0.
 template <class Real>
@@ -42,9 +42,9 @@ struct WideContact {
   WideRow<Real> normal, tangent1, tangent2;
   EightNumbers<Real> found, restitution;     ///< C_0, m; e
   EightNumbers<Real> rigid_mass, step_size;  ///< 1 / K of the normal; 1 / k of both tangents (chapter 08); kg
-  EightNumbers<Real> bias, softness, mass;   ///< b, gamma and 1 / (K + gamma) of the normal, in this pass
-  EightNumbers<Real> bounce;  ///< minus the speed after its bounce in this substep, m/s; 0: it does not bounce
-  EightVectors<Real> sum;     ///< N s, on B, world axes: over the substeps so far
+  EightNumbers<Real> bias, softness, mass;   ///< of the normal in this pass: b, m/s; gamma, 1/kg; 1 / (K + gamma), kg
+  EightNumbers<Real> bounce;                 ///< minus the speed after a bounce in this substep, m/s; 0: no bounce
+  EightVectors<Real> sum;                    ///< N s, on B, world axes, the sum over the substeps so far
 };
 /// Eight pairs, no two of which share a movable body.
 template <class Real>
@@ -57,12 +57,12 @@ struct Bundle {
   EightNumbers<Real> face_a, face_b, cores;  ///< one of them is 1, see NormalSource; all are 0 for NormalSource::none
   EightNumbers<Real> radius_a, radius_b;     ///< m, from the core to the surface with its skin
   EightNumbers<Real> reach_a, reach_b;       ///< m, the longest arm
-  /// m: the displacement of B minus the displacement of A from detection to the latest rebuild of the rows.
+  /// The displacement of B minus the displacement of A from detection to the latest rebuild of the rows, m.
   EightVectors<Real> rebuilt_displacement;
-  EightVectors<Real> rebuilt_turn_a, rebuilt_turn_b;  ///< rad: the turn of each body in the same time
-  /// m^2: the rows are rebuilt once the pair has moved or turned by this distance since.
+  EightVectors<Real> rebuilt_turn_a, rebuilt_turn_b;  ///< the rotation of each body in the same time, rad
+  /// The rows are rebuilt once the pair has moved or turned by this squared distance since, m^2.
   EightNumbers<Real> rebuild_distance_squared;
-  int first, end;  ///< its contacts in the list of all: as many as the pair with the most points has
+  int first, end;  ///< the range of its contacts in the list of all, as many as the pair with the most points has
 };
 
 /// v, m/s, and w, rad/s, of a body, or its displacement, m, and its rotation, rad. The last two numbers are padding.
@@ -83,7 +83,7 @@ struct EightRotations {
   EightNumbers<Real> x, y, z, s;       ///< the orientation, a unit quaternion with the scalar part s
   EightVectors<Real> w;                ///< rad/s, world axes
   EightVectors<Real> inverse_inertia;  ///< the principal ones, 1/(kg m^2)
-  EightNumbers<Real> solved;           ///< 1; or 0 if the body turns so far that Newton's method did not converge
+  EightNumbers<Real> solved;           ///< 1, or 0 if the body turns so far that Newton's method did not converge
 };
 
 /// The bundles on which a pass works, and the arrays to which they refer.
@@ -100,7 +100,7 @@ struct BundleRange {
   EightVectors<Real>* start_impulses;  ///< of each contact: along n and both tangents, as a substep with a bounce began
 };
 
-/// The coefficients of soft contacts for one length of substep: PushOut of substepping_solver.h.
+/// The coefficients of soft contacts for one length of substep. PushOut of substepping_solver.h describes them.
 template <class Real>
 struct WidePushOut {
   Real rate, gamma_by_K, fastest, threshold, h;
@@ -130,7 +130,7 @@ struct Passes {
   void (*turn)(EightRotations<Real>&, Real h);
 };
 
-/// Passes for any processor, and for processors with AVX2. `lanes`: 1, 4 or 8.
+/// The passes for any processor, and for processors with AVX2. `lanes`: 1, 4 or 8.
 template <class Real>
 Passes<Real> plain_passes(int lanes);
 template <class Real>

@@ -15,7 +15,7 @@ inline constexpr std::size_t least_bundles = 8;
 
 /// The values of a bundle that do not come from the contacts of the world.
 struct BundleInput {
-  const std::vector<Vec3>& guesses;  ///< N s, on B, world axes: the impulse with which each contact starts
+  const std::vector<Vec3>& guesses;  ///< N s, on B, world axes, the initial impulse of each contact
   const std::vector<bool>& floats;   ///< of each body: see floating_bodies.h
   Real rebuild_fraction;             ///< WideSolver::rebuild_fraction
 };
@@ -27,7 +27,7 @@ struct ContactBundles {
     std::size_t bundle, contact, lane;
   };
 
-  std::vector<Body*> bodies;  ///< all with contacts, then `the_world`, which fills empty lanes
+  std::vector<Body*> bodies;  ///< all bodies with contacts, then `the_world`, which fills empty lanes
   std::vector<Real> reaches;  ///< m, of each of `bodies`: its longest arm
   std::vector<Bundle<Scalar>> bundles;
   std::vector<std::size_t> set_ends;          ///< of each set, in `bundles`
@@ -37,12 +37,12 @@ struct ContactBundles {
 
   /// Copies World::contacts, all pairs of which are in `sets`. Rows are left to Passes::prepare.
   void build(World& world, PairSets sets, const BundleInput& input, Workers& workers);
-  /// m: the shortest reach of a body that moves. Infinite if no body moves.
+  /// The shortest reach of a body that moves, or infinity if no body moves, m.
   Real shortest_reach() const;
   /// Copies the normal, the depth, the impulses and the state of the i-th contact. `displacements`: of each of `bodies`, since
-  /// detection. `known`: the step before had this contact.
+  /// detection. `known`: whether the previous step had this contact.
   void write_back(std::size_t i, const std::vector<Twist<Scalar>>& displacements, bool known, Contact& contact) const;
-  /// m/s: the largest change of the speed along a row by another sweep. KeptContact::error of chapter 21.
+  /// The largest change of the speed along a row by another sweep (KeptContact::error of chapter 21), m/s.
   Real residual() const;
 
  private:

@@ -5,7 +5,8 @@
 
 namespace pushback {
 
-/// Everything in 8 substeps, in float. A stack of ten sinks by 7 mm, and stacks of more than 24 boxes buckle (chapter 12).
+/// Moves all bodies in 8 substeps, in single precision. A stack of ten sinks by 7 mm, and stacks of more than 24 boxes buckle
+/// (chapter 12).
 struct Fast : WideSolver<float> {
   Fast() {
     substeps = 8;

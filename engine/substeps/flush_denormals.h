@@ -7,8 +7,8 @@
 
 namespace pushback {
 
-/// While an object of this class lives, numbers below the smallest normal number count as 0. Without it, arithmetic with an
-/// impulse that fades away would take a hundred times as long.
+/// While an object of this class exists, numbers below the smallest normal number count as 0. Without it, arithmetic with an
+/// impulse that decays to 0 would take a hundred times as long.
 class FlushDenormals {
  public:
 #if defined(__SSE__) && !defined(__EMSCRIPTEN__)

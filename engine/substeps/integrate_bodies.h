@@ -8,7 +8,7 @@
 
 namespace pushback {
 
-/// Moves each of `bodies` for h, s: `integrate_position` of common/world, but `turn`, which is Passes::turn, rotates eight
+/// Moves each of `bodies` for h, s, as `integrate_position` of common/world does, but `turn`, which is Passes::turn, rotates eight
 /// bodies at a time.
 void integrate_bodies(std::span<Body> bodies, Real h, void (*turn)(EightRotations<Real>&, Real h));
 

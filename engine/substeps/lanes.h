@@ -16,7 +16,7 @@ namespace {
 
 namespace simd = std::experimental;
 
-/// A vector of `width` numbers on which each operation acts at once. With a width of 1, it is a number.
+/// A vector of `width` numbers on all of which an operation acts at once. With a width of 1, it is a number.
 template <class Real, int width>
 using LanesOf = simd::simd<Real, simd::simd_abi::deduce_t<Real, width> >;
 

@@ -1,4 +1,4 @@
-/// Which body turns the normal of a contact, while bodies move and contacts are not detected again.
+/// The body with which the normal of a contact rotates while bodies move and contacts are not detected again.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 
 namespace pushback {
 
-/// face_a, face_b: the normal belongs to a face and rotates with its body, and the contact is a point of the other body. cores:
-/// the normal points from one round body's core to the other's. none: two edges cross. Then the normal stays as detected, as in
-/// chapter 21.
+///   face_a, face_b   the normal belongs to a face and rotates with its body, and the contact is a point of the other body
+///   cores            the normal points from the core of one round body to the core of the other
+///   none             two edges cross, and the normal stays as detected, as in chapter 21
 enum class NormalSource { none, face_a, face_b, cores };
 
-/// m: the radius of a sphere or capsule, whose core is a point or a line. 0 for a polyhedron.
+/// The radius of a sphere or capsule, whose core is a point or a segment, or 0 for a polyhedron, m.
 inline Real radius_of(const Body& body) {
   if (const auto* ball = std::get_if<Sphere>(&body.shape)) return ball->radius;
   if (const auto* capsule = std::get_if<Capsule>(&body.shape)) return capsule->radius;
@@ -32,8 +32,8 @@ inline bool has_face(const Body& body, const Vec3& n) {
          std::any_of(hull->solid->faces.begin(), hull->solid->faces.end(),
                      [&on_body](const Polyhedron::Face& face) { return face.normal.dot(on_body) > same; });
 }
-/// If two faces lie on each other, the immovable one has the normal, or else the larger one, on which corners of the smaller
-/// one lie. `reach_a`, `reach_b`: the longest arms, m.
+/// If two faces touch, the normal belongs to the face of the immovable body, or otherwise to the larger face, on which corners of the
+/// smaller one lie. `reach_a`, `reach_b`: the longest arms, m.
 inline NormalSource normal_source_of(const Body& a, const Body& b, const Vec3& n, Real reach_a, Real reach_b) {
   if (radius_of(a) > 0 && radius_of(b) > 0) return NormalSource::cores;
   const bool face_of_a = has_face(a, n), face_of_b = has_face(b, -n);

@@ -10,7 +10,7 @@
 
 namespace pushback {
 
-/// Two bodies that touch. Their `count` contacts follow each other in World::contacts, from `first` on.
+/// Two bodies that touch. Their `count` contacts are consecutive in World::contacts, from `first` on.
 struct TouchingPair {
   std::size_t a, b;  ///< their indices
   std::size_t first, count;
@@ -29,8 +29,8 @@ inline std::vector<TouchingPair> touching_pairs(const Contacts& contacts) {
   return pairs;
 }
 
-/// Greedy colouring, in the order of the pairs. No two pairs of a set have a movable body in common, so no pair reads what
-/// another one writes. There are 64 colours. Each further pair gets a set of its own.
+/// Greedy colouring, in the order of the pairs. No two pairs of a set have a movable body in common, so no pair reads data that
+/// another one writes. There are 64 colours. Each further pair gets its own set.
 ///
 /// Within a set, pairs with more contacts come first, so that the pairs of a bundle have nearly the same number.
 inline PairSets colour_pairs(const std::vector<TouchingPair>& pairs, const World& world) {

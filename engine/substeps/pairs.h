@@ -34,7 +34,7 @@ struct Pairs {
         b(fetch<Lanes>(bundle.b + at, bodies)),
         inverse_mass_a(load<Lanes>(bundle.inverse_mass_a, at)),
         inverse_mass_b(load<Lanes>(bundle.inverse_mass_b, at)) {}
-  /// J V, m/s; for displacements, m.
+  /// J V, m/s, or m for displacements.
   [[gnu::always_inline]] Lanes along(const LanesOfRow<Lanes>& row) const {
     return dot(row.n, b.v - a.v) + (dot(row.rb_n, b.w) - dot(row.ra_n, a.w));
   }

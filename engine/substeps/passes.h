@@ -67,7 +67,7 @@ struct WideBounce {
   }
 };
 
-/// m/s: a normal row with this bias never acts. See KeptContact of chapter 21.
+/// A normal row with this bias never acts, m/s. See KeptContact of chapter 21.
 template <class Real>
 constexpr Real free_speed = Real(1e9);
 
@@ -136,7 +136,7 @@ template <class Lanes, class Real>
   return change;
 }
 
-/// `last`: it is the last pass of a substep, so the impulses are final and are added to the sum.
+/// `last`: whether this is the last pass of a substep, whose final impulses are added to the sum.
 template <class Lanes, class Real, bool last>
 void solve_friction_of(const Bundle<Real>& bundle, WideContact<Real>& contact, Pairs<Lanes>& pairs, int at) {
   const LanesOfRow<Lanes> row1(bundle.tangent1, contact.tangent1, at), row2(bundle.tangent2, contact.tangent2, at);
@@ -162,9 +162,9 @@ void solve_friction_of(const Bundle<Real>& bundle, WideContact<Real>& contact, P
   }
 }
 
-/// Calls `act(bundle, contact, pairs, at)` for each contact of each bundle, alternating between two bundles: while a contact
-/// waits for the velocities that the contact before it changes, the processor solves one of other bodies. All bundles must be
-/// of one set.
+/// Calls `act(bundle, contact, pairs, at)` for each contact of each bundle, alternating between two bundles. While a contact
+/// waits for the velocities that the previous contact changes, the processor solves a contact of other bodies. All bundles must
+/// belong to one set.
 template <class Lanes, class Real, class Act>
 void two_at_a_time(const BundleRange<Real>& all, const Act& act) {
   constexpr int parts = lanes_per_bundle / int(Lanes::size());
@@ -195,7 +195,7 @@ Real solve_normals(const BundleRange<Real>& all) {
                __attribute__((always_inline)) { change = max(change, solve_normal_of(bundle, contact, pairs, at)); });
   return hmax(change);
 }
-/// After all normals, because the friction limit depends on the normal impulse.
+/// Solves friction after all normals, because the friction limit depends on the normal impulse.
 template <class Lanes, class Real>
 void solve_friction(const BundleRange<Real>& all) {
   two_at_a_time<Lanes>(all, solve_friction_of<Lanes, Real, false>);

@@ -13,7 +13,7 @@ namespace {
 template <class Lanes>
 struct RowRebuild {
   Pairs<Lanes> velocity, displacement;  // displacement: since detection
-  Pairs<Lanes> impulse_velocity;        // that the impulses of the rows add
+  Pairs<Lanes> impulse_velocity;        // the velocities that the impulses of the rows add
   PairGeometry<Lanes> geometry;         // with the present inertias
 };
 template <class Lanes, class Real>
@@ -39,8 +39,8 @@ void update_contact(const Bundle<Real>& bundle, WideContact<Real>& contact, cons
 
 // ---- rows with the normal as detected, as in chapter 21 ---------------------------------------------------------------
 
-/// A row of bodies that have moved past each other by `way`, m. Gives both bodies one common point again (chapter 12). Returns
-/// K, 1/kg.
+/// Updates a row of bodies that have moved past each other by `way` (m), so that both have a common contact point again (chapter 12).
+/// Returns K, 1/kg.
 template <class Lanes, class Real>
 Lanes carry_row(WideRow<Real>& row, const Vec<Lanes>& n, const Vec<Lanes>& way, const typename Lanes::mask_type& placed,
                 RowRebuild<Lanes>& pairs, int at) {
@@ -78,14 +78,14 @@ void carry_pair(const BundleRange<Real>& all, Bundle<Real>& bundle, const typena
 
 // ---- rows that follow the bodies --------------------------------------------------------------------------------------
 
-/// The turn about theta, rad, by 2 atan(|theta| / 2), which is |theta| except for |theta|^3 / 12.
+/// The rotation about theta (rad) by 2 atan(|theta| / 2), which is |theta| except for |theta|^3 / 12.
 template <class Lanes>
 Orientation<Lanes> turn_by(const Vec<Lanes>& theta) {
   const Vec<Lanes> v = Lanes(typename Lanes::value_type(0.5)) * theta;
   const Lanes s = Lanes(1) / sqrt(1 + dot(v, v));
   return {s * v, s};
 }
-/// The shortest turn from a unit vector to another.
+/// The shortest rotation from a unit vector to another.
 template <class Lanes>
 Orientation<Lanes> turn_between(const Vec<Lanes>& from, const Vec<Lanes>& to) {
   const Vec<Lanes> v = cross(from, to);
@@ -98,23 +98,23 @@ Orientation<Lanes> select(const typename Lanes::mask_type& so, const Orientation
   return {select(so, yes.v, no.v), select(so, yes.s, no.s)};
 }
 
-/// The displacement of a point by a turn, m. Computed directly, because the difference of two points far from the centre would
-/// be rounded too much in float.
+/// The displacement of a point by a rotation, m. Computed directly, because in float the difference of two points far from the
+/// centre would have too large a rounding error.
 template <class Lanes>
 Vec<Lanes> shifted(const Orientation<Lanes>& turn, const Vec<Lanes>& point) {
   const Vec<Lanes> twice = Lanes(2) * cross(turn.v, point);
   return turn.s * twice + cross(turn.v, twice);
 }
 
-/// The turns of pairs since detection, and the present positions of their contacts.
+/// The rotations of pairs since detection, and the present positions of their contacts.
 template <class Lanes>
 struct Riding {
-  typename Lanes::mask_type face_a, face_b;  // n turns with A, with B. In other lanes it points from core to core
+  typename Lanes::mask_type face_a, face_b;  // n turns with A, with B; in other lanes it points from core to core
   Orientation<Lanes> turn_a, turn_b;
-  Vec<Lanes> way, found_n;  // displacement of B minus displacement of A; n as detected
+  Vec<Lanes> way, found_n;  // displacement of B minus displacement of A, and n as detected
   Lanes radius_a, radius_b;
 
-  /// As detected: the arms to both surfaces and to both cores, and the gap.
+  /// The arms to both surfaces and to both cores, and the gap, as detected.
   struct Found {
     Vec<Lanes> surface_a, surface_b, core_a, core_b;
     Lanes gap;
@@ -131,7 +131,7 @@ struct Riding {
     const Vec<Lanes> line = (radius_a + radius_b + point.gap) * found_n + way + shifted(turn_b, point.core_b) -
                             shifted(turn_a, point.core_a);
     const Lanes length = sqrt(dot(line, line));
-    const auto ahead = 2 * dot(line, found_n) > length;  // if cores have passed through each other, n stays
+    const auto ahead = 2 * dot(line, found_n) > length;  // if the cores have passed through each other, n stays
     const Vec<Lanes> n = select(ahead, (Lanes(1) / length) * line, found_n);
     return select(face_a, turn_a, select(face_b, turn_b, turn_between(found_n, n)));
   }
@@ -178,7 +178,7 @@ void ride(const BundleRange<Real>& all, Bundle<Real>& bundle, const typename Lan
                              .radius_a = load<Lanes>(bundle.radius_a, at),
                              .radius_b = load<Lanes>(bundle.radius_b, at)};
   const Lanes once = select(placed, Lanes(1), Lanes(0));  // other lanes keep their bits
-  for (int c = bundle.first; c < bundle.end; ++c) {       // impulses so far are summed along the n that they had
+  for (int c = bundle.first; c < bundle.end; ++c) {  // impulses so far are summed along the n along which they acted
     WideContact<Real>& contact = all.contacts[c];
     give(pairs.impulse_velocity, bundle, contact, Lanes(-once), at);
     add(once * impulse_of<Lanes>(bundle, contact, at), contact.sum, at);
@@ -218,14 +218,14 @@ void rebuild_rows(const BundleRange<Real>& all) {
                 by_b = dot(turned_b, turned_b);
     const auto passes = dot(passed, passed) >= least,
                turns = reach_a * reach_a * by_a >= least || reach_b * reach_b * by_b >= least;
-    // rad^2. If n turned by more than this in one substep, the stored impulses would throw the bodies. Then n stays as it is.
+    // rad^2. If n turned by more than this in one substep, the stored impulses would accelerate the bodies wrongly, so n stays as it is.
     const Lanes at_once(typename Lanes::value_type(0.0625));
     const auto rides =
         load<Lanes>(bundle.face_a, at) + load<Lanes>(bundle.face_b, at) + load<Lanes>(bundle.cores, at) > 0 &&
         by_a < at_once && by_b < at_once;
     const auto placed = passes || turns;
     if (none_of(placed)) return;
-    Lanes bounce = 0;  // an impact takes no time, so the relaxing pass needs the n of its beginning
+    Lanes bounce = 0;  // an impact takes no time, so the relaxing pass needs the n at the beginning of the impact
     for (int c = bundle.first; c < bundle.end; ++c) bounce = bounce + load<Lanes>(all.contacts[c].bounce, at);
     const auto ridden = placed && rides && bounce >= 0, carried = placed && !ridden;
     RowRebuild<Lanes> pairs{.velocity = Pairs<Lanes>(bundle, all.velocities, at),

@@ -1,4 +1,4 @@
-/// The common base of the two solvers that detect contacts once per step: chapter 21's and chapter 22's.
+/// The common base of the solvers of chapters 21 and 22, which detect contacts once per step.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ struct PushOut {
   Real threshold;   ///< m/s; slower contacts do not bounce
 };
 
-/// The state that a picture shows at a contact point. `known`: the step before had this contact.
+/// The state that a picture shows at a contact point. `known`: whether the previous step had this contact.
 template <class Scalar>
 ContactState state_of(bool known, Scalar friction, Scalar pushed, Scalar rubbed1, Scalar rubbed2) {
   if (!known) return ContactState::fresh;
@@ -29,7 +29,7 @@ ContactState state_of(bool known, Scalar friction, Scalar pushed, Scalar rubbed1
   return held ? ContactState::sticking : ContactState::sliding;
 }
 
-/// An impulse of the step before, N s, moved into the friction cone, because the normal may have turned since. The tangential
+/// An impulse of the previous step, N s, moved into the friction cone, because the normal may have rotated since. The tangential
 /// part is shortened, and an impulse that pulls becomes 0. A substep with a bounce restores its initial impulses, so these must
 /// be in the cone.
 inline Vec3 clamped_to_cone(const Vec3& impulse, const Vec3& n, Real friction) {
@@ -39,21 +39,21 @@ inline Vec3 clamped_to_cone(const Vec3& impulse, const Vec3& n, Real friction) {
   return pressed * n + (size > friction * pressed ? friction * pressed / size : 1) * rubbed;
 }
 
-/// The settings and plan of a solver that divides its steps, with one sweep per substep. Contacts are detected within a margin,
-/// so that bodies that touch later in the step have rows.
+/// The settings and plan of a solver that divides its steps into substeps of one sweep. Contacts are detected within a margin, so
+/// that bodies that touch later in the step have rows.
 struct SubsteppingSolver : StepSolver {
-  /// The substeps of a step of `reference_step`, s. A longer step has more and a shorter one fewer, so contacts are equally
-  /// stiff. If reference_step is 0, every step has so many, however long it is.
+  /// The substeps of a step of `reference_step`, s. A longer step has more and a shorter one fewer, so that contacts are equally
+  /// stiff. If reference_step is 0, each step has this number, whatever its length.
   int substeps = 32;
   Real reference_step = 0;
   Real margin = Real(0.02);    ///< m, added to the distance by which a pair may approach in one step
   Real threshold = Real(0.1);  ///< m/s; slower contacts do not bounce
   /// In a substep with a bounce, normals are solved until no speed changes by more than this fraction of the fastest bounce.
   Real precision = Real(1e-6);
-  /// m/s: in other substeps, normals are solved again if a pass has changed a speed by more than this.
+  /// In other substeps, normals are solved again if a pass has changed a speed by more than this, m/s.
   Real recheck_speed = std::numeric_limits<Real>::infinity();
   int most_rounds = 100;  ///< passes over the normals in a sweep
-  SoftContacts spring;    ///< chapter 12's: hertz, damping ratio, fastest push-out
+  SoftContacts spring;    ///< chapter 12's frequency, damping ratio and fastest push-out
 
   bool supports_joints() const override { return true; }
   void check(World& world, Real h) override {
@@ -72,7 +72,7 @@ struct SubsteppingSolver : StepSolver {
   Plan plan(Real dt) const override {
     const Real parts = reference_step > 0 ? static_cast<Real>(substeps) * dt / reference_step * (1 - rounding)
                                           : static_cast<Real>(substeps);
-    // dt may be anything, because `plan` is called before dt is checked.
+    // dt may have any value, because `plan` is called before dt is checked.
     const Real finite = parts < most_substeps ? parts : most_substeps;
     return {.substeps = std::max(1, static_cast<int>(std::ceil(finite))),
             .sweeps = 1,
@@ -92,12 +92,12 @@ struct SubsteppingSolver : StepSolver {
                damping = 2 * spring.damping_ratio + h * w;
     return {w / damping, 1 / (h * w * damping), spring.fastest_push_out, threshold};
   }
-  /// Calls `act(i, p)` for each contact that the step before had. p, N s: its initial impulse.
+  /// Calls `act(i, p)` for each contact that the previous step had. p: its initial impulse, N s.
   template <class Act>
   void start_from_last_step(const World& world, Real h, const Act& act) {
     const Real scale = world.impulse_scale(h);
     known_.assign(world.contacts.size(), false);
-    auto old = world.contacts_before.begin();  // both lists ascend: walk them side by side
+    auto old = world.contacts_before.begin();  // both lists ascend, so go through them in parallel
     for (std::size_t i = 0; i < world.contacts.size(); ++i) {
       const ContactId id = world.contacts[i].id;
       while (old != world.contacts_before.end() && old->id < id) ++old;
@@ -118,8 +118,8 @@ struct SubsteppingSolver : StepSolver {
       change = pass();
   }
 
-  std::vector<bool> known_;  // of each contact: whether the step before had it
-  Real fastest_ = 0;         // bounce of this substep, m/s; 0: there is none
+  std::vector<bool> known_;  // for each contact, whether the previous step had it
+  Real fastest_ = 0;         // fastest bounce of this substep, m/s; 0: none
 
  private:
   static constexpr Real rounding = Real(1e-5);      // a step that is longer by this fraction gets no further substep

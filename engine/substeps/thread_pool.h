@@ -36,7 +36,7 @@ class ThreadPool : public Workers {
   /// The state of a part. Each has a cache line of its own, so that threads that take different parts do not slow each other
   /// down.
   struct alignas(64) Place {
-    std::atomic<unsigned> state = 0;  // 2 n: free in round n; 2 n + 1: taken
+    std::atomic<unsigned> state = 0;  // 2 n if free in round n, 2 n + 1 if taken
     std::exception_ptr failed;
   };
   void share(std::size_t count, const std::function<void(std::size_t)>& act) override;
@@ -44,8 +44,8 @@ class ThreadPool : public Workers {
   void take_parts(std::size_t first, unsigned round);
 
   std::vector<Place> places_;
-  alignas(64) std::atomic<unsigned> round_ = 0;  // the number of calls of `share`; the threads wait for the next one
-  alignas(64) std::atomic<int> undone_ = 0;      // parts that are not done
+  alignas(64) std::atomic<unsigned> round_ = 0;  // the number of calls of `share`, which the threads wait for
+  alignas(64) std::atomic<int> undone_ = 0;      // number of parts that are not done
   std::atomic<bool> ending_ = false;
   std::atomic_flag busy_;
 

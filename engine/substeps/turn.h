@@ -1,4 +1,4 @@
-/// The free rotation of several bodies at a time: `spin_freely` of common/world, which explains the equation.
+/// The free rotation of several bodies at a time. `spin_freely` of common/world explains the equation.
 ///
 /// In an anonymous namespace, as lanes.h.
 #pragma once
@@ -16,13 +16,13 @@ struct Orientation {
   Vec<Lanes> v;
   Lanes s;
 };
-/// From body axes into world axes.
+/// Rotates a vector from body axes into world axes.
 template <class Lanes>
 [[gnu::always_inline]] inline Vec<Lanes> rotated(const Orientation<Lanes>& q, const Vec<Lanes>& p) {
   const Vec<Lanes> twice = Lanes(2) * cross(q.v, p);
   return p + q.s * twice + cross(q.v, twice);
 }
-/// From world axes into body axes.
+/// Rotates a vector from world axes into body axes.
 template <class Lanes>
 [[gnu::always_inline]] inline Vec<Lanes> rotated_back(const Orientation<Lanes>& q, const Vec<Lanes>& p) {
   const Vec<Lanes> twice = Lanes(2) * cross(q.v, p);

@@ -26,7 +26,7 @@ template <class Scalar, class JointEffect = DirectTreeJoints>
 class WideSolver : public SubsteppingSolver {
  public:
   JointEffect joints;
-  Real rebuild_fraction = Real(1e-4);  ///< of a pair's longest arm: rows are rebuilt once the pair has moved so far
+  Real rebuild_fraction = Real(1e-4);  ///< rows are rebuilt once a pair has moved by this fraction of its longest arm
   Passes<Scalar> passes = passes_of_this_processor<Scalar>();
   Passes<Real> body_passes = passes_of_this_processor<Real>();  ///< its `turn` rotates the bodies
   /// Divides the pairs into sets, which are solved one after the other.
@@ -76,17 +76,17 @@ class WideSolver : public SubsteppingSolver {
   void forget_impacts();
   SolveStats measure() const;
 
-  Workers* at_work_ = &alone();  // in this step
+  Workers* at_work_ = &alone();  // of this step
   ContactBundles<Scalar> packed_;
   std::vector<Twist<Scalar>> velocities_, velocities_before_, displacements_, impulse_velocities_;  // of packed_.bodies
-  std::vector<Inertia<Scalar>> inertias_;                                                           // of the same
-  std::vector<EightVectors<Scalar>> start_impulses_;  // of packed_.contacts
-  std::vector<Scalar> largest_;                       // the returned value of each part of a pass
-  std::optional<SolveStats> measured_;                // before the impulses of an impact were forgotten
-  bool bouncy_ = false;                               // whether any contact is
-  bool something_floats_ = false;                     // whether any body that touches does
-  Real shortest_reach_ = 0;                           // m, of the bodies that move
-  std::vector<Vec3> guesses_;                         // N s, of each contact of the world
+  std::vector<Inertia<Scalar>> inertias_;             // for packed_.bodies
+  std::vector<EightVectors<Scalar>> start_impulses_;  // for packed_.contacts
+  std::vector<Scalar> largest_;                       // the value that each part of a pass returns
+  std::optional<SolveStats> measured_;                // the state before the impulses of an impact were discarded
+  bool bouncy_ = false;                               // whether any contact has a restitution above 0
+  bool something_floats_ = false;                     // whether any body with contacts floats
+  Real shortest_reach_ = 0;                           // m, of the movable bodies
+  std::vector<Vec3> guesses_;                         // N s, for each contact of the world
 };
 
 extern template class WideSolver<float>;  // compiled once, in wide_solver.cpp

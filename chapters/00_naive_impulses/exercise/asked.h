@@ -1,4 +1,4 @@
-/// What exercise 00 asks for.
+/// The answer to exercise 00, and its checks.
 #pragma once
 
 #include "pushback/common/exercise/exercise.h"

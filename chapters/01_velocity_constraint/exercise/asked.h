@@ -1,4 +1,4 @@
-/// What exercise 01 asks for.
+/// The answer to exercise 01, and its checks.
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/row.h"

@@ -10,9 +10,9 @@ using namespace pushback;
 /// A body hangs with a ring on a straight rail without friction. The ring stays on the rail, and the body may turn in any
 /// direction. `sweeps` are enough if your rows are solved one after the other.
 ///
-/// You read            ring               m, world axes: where the ring is, a point of the body
-///                     rail               unit, world axes: the direction of the rail
-///                     rails_velocity     m/s, world axes: the velocity of the rail itself
+/// You read            ring               m, world axes, the position of the ring, a point of the body
+///                     rail               unit, world axes, the direction of the rail
+///                     rails_velocity     m/s, world axes, the velocity of the rail itself
 /// of the body         position           m, of its centre of mass
 ///                     inverse_mass       1/m, 1/kg
 ///                     inverse_inertia    I^-1 in world axes, 1/(kg m^2), a matrix

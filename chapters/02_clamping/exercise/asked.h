@@ -1,4 +1,4 @@
-/// What exercise 02 asks for.
+/// The answer to exercise 02, and its checks.
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/row.h"

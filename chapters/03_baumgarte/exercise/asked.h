@@ -1,4 +1,4 @@
-/// What exercise 03 asks for.
+/// The answer to exercise 03, and its checks.
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/row.h"

@@ -1,4 +1,4 @@
-/// What exercise 04 asks for.
+/// The answer to exercise 04, and its checks.
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/row.h"

@@ -7,11 +7,11 @@ namespace student {
 
 using namespace pushback;
 
-/// The bias of a contact point, for a step of h seconds. The bodies may still be apart, because a contact begins as
-/// soon as they are closer than the margin.
+/// Sets the bias of a contact point for a step of h seconds. The bodies may still be apart, because contacts exist as soon as
+/// the bodies are closer than the margin.
 ///
-/// You read   normal.separation   C, m: positive where the bodies are apart, negative where they overlap
-/// and set    normal.bias         b, m/s: 0 as this is called. The row makes J V + b >= 0, and only ever pushes
+/// You read   normal.separation   C, m, positive if the bodies are apart, negative if they overlap
+/// and set    normal.bias         b, m/s, 0 before the call. The row makes J V + b >= 0, and only pushes
 inline void set_bias(Row& normal, Real beta, Real slop, Real h) {
   // TODO if apart, the bodies may close the gap within this step, but no more. If overlapping, use the bias of chapter 04
   (void)normal, (void)beta, (void)slop, (void)h;  // take this line out

@@ -1,4 +1,4 @@
-/// What exercise 05 asks for.
+/// The answer to exercise 05, and its checks.
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/any_effect.h"

@@ -10,9 +10,9 @@ using namespace pushback;
 /// A bounce of bodies that yield in hard impacts. Up to the yield speed, e is the contact's own value, and above it e falls.
 ///
 /// You read   step.contacts.size()                the number of contacts, where step.rows[i] is the row of step.contacts[i]
-///            approach_speed(step.world, contact)  v_n before the step, m/s: negative while the bodies approach
+///            approach_speed(step.world, contact)  v_n before the step, m/s, negative while the bodies approach
 /// of a contact   restitution                     e of slow impacts, 0 to 1
-/// and set        step.rows[i].bias               b, m/s: minus the target separating speed, which the push-out may have set
+/// and set        step.rows[i].bias               b, minus the target separating speed, m/s, which the push-out may have set
 struct YieldingBounce : Effect {
   Real threshold = Real(0.1);  // m/s; slower impacts do not bounce
   Real yield = 2;              // m/s

@@ -1,4 +1,4 @@
-/// What exercise 06 asks for.
+/// The answer to exercise 06, and its checks.
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/row.h"
@@ -6,12 +6,12 @@
 
 namespace pushback::exercise_06 {
 
-/// How the surfaces of a contact's two bodies A and B rub and roll on each other.
+/// Friction, rolling resistance and belts of a contact's two bodies A and B.
 struct Surfaces {
   Real mu;                     ///< friction of the pair
-  Real lever;                  ///< m: rolling resistance holds a turn with up to this times the normal force
-  Vec3 belt_a = Vec3::Zero();  ///< m/s, world axes: how A's surface runs over A, as the belt of a conveyor does
-  Vec3 belt_b = Vec3::Zero();  ///< m/s: the same for B
+  Real lever;                  ///< m; the torque of rolling resistance is at most this times the normal force
+  Vec3 belt_a = Vec3::Zero();  ///< m/s, world axes, the velocity of A's surface relative to A, as of a conveyor belt
+  Vec3 belt_b = Vec3::Zero();  ///< m/s, the same for B
 };
 
 struct Answer {

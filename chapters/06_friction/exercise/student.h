@@ -13,7 +13,7 @@ using namespace pushback;
 ///            surfaces.mu, .lever (m), .belt_a, .belt_b (m/s, world axes)
 /// You solve  slip                the row along t:  speed() is (v_B - v_A) · t at the contact point, of the bodies, m/s
 ///            roll                the row about t:  speed() is (w_B - w_A) · t, rad/s, and its impulses are in N m s
-/// each with  n                   t, of slip alone
+/// each with  n                   t, of slip only
 ///            effective_mass      1 / K
 ///            impulse             Σλ of this step
 ///            reach(total)        brings Σλ to `total`, but no further than lo and hi

@@ -1,4 +1,4 @@
-/// What exercise 07 asks for.
+/// The answer to exercise 07, and its checks.
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/row.h"
@@ -15,7 +15,7 @@ struct Remembered {
 };
 using Memory = std::vector<Remembered>;
 
-/// s: the time for which a point is remembered after it last touched.
+/// The time for which a point is remembered after it last touched, s.
 inline constexpr Real lasts = Real(0.1);
 
 struct Answer {

@@ -1,4 +1,4 @@
-/// What exercise 08 asks for.
+/// The answer to exercise 08, and its checks.
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/row.h"
@@ -7,7 +7,7 @@
 namespace pushback::exercise_08 {
 
 struct Skate {
-  Real k12;  ///< 1/kg: what an impulse along the blade adds to the slip across it
+  Real k12;  ///< 1/kg, the change of the slip across the blade per impulse along it
   Real mu_along, mu_across;
   Real normal;  ///< the sum of the normal impulses, N s
 };

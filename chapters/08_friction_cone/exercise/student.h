@@ -10,9 +10,9 @@ using exercise_08::Skate;
 
 /// Solves both tangents of a skate's contact, one along its blade and one across it. Called 300 times.
 ///
-/// You read   along.speed(), across.speed()   u, m/s: how fast the skate slips in each direction now
+/// You read   along.speed(), across.speed()   u, the present slip of the skate in each direction, m/s
 ///            along.effective_mass            1 / k11, kg, and across.effective_mass is 1 / k22
-///            skate.k12                       1/kg: what couples the two
+///            skate.k12                       1/kg, which couples the two directions
 ///            skate.mu_along, mu_across       the coefficients of friction
 ///            skate.normal                    the sum of the normal impulses, N s
 ///            along.impulse, across.impulse   the sums of this step so far, N s

@@ -11,7 +11,7 @@ using Eigen::Index;
 /// Lets the variable `entering` grow until the first basic variable reaches 0, which then leaves. Returns the variable that has
 /// left. If none ever reaches 0, changes nothing and returns -1.
 ///
-/// You read and change   tableau.t(i, j)      the equations; t.row(i) is all of one
+/// You read and change   tableau.t(i, j)      the equations, where t.row(i) is one of them
 ///                       tableau.basis[i]     the basic variable of row i
 /// and read              t(i, last)           its value, 0 or more
 ///                       t(i, entering)       the amount by which it falls if `entering` grows by 1

@@ -10,8 +10,8 @@ using exercise_18::Blocks, exercise_18::Threes;
 
 /// Returns the impulses of the joints of a chain, three numbers each, from the hook (joint 0) to the free end, N s.
 ///
-/// You read   own[i]      A_ii, 1/kg: the change of joint i's speed per impulse on joint i
-///            next[i]     A_i,i+1, 1/kg: the change of joint i's speed per impulse on joint i + 1. A_i+1,i is its transpose.
+/// You read   own[i]      A_ii, the change of joint i's speed per impulse on joint i, 1/kg
+///            next[i]     A_i,i+1, the change of joint i's speed per impulse on joint i + 1, 1/kg. A_i+1,i is its transpose.
 ///                        There is one block fewer than in own
 ///            wanted[i]   -(J V + b) of joint i, m/s
 /// own and wanted are copies that you may change. A block M has M.inverse() and M.transpose().

@@ -10,8 +10,8 @@ using study::Measured, study::Measurements;
 
 /// Returns the settings that no other setting beats, from the fastest to the most accurate.
 ///
-/// You read   one.median()   s: the median over all rounds in which the setting was timed
-///            one.error      m: its error; infinite if the motion was lost
+/// You read   one.median()   s, the median over all rounds in which the setting was timed
+///            one.error      m, its error, infinite if the motion was lost
 /// You may sort `all`, for example with std::sort, or loop over it as it is.
 inline Measurements front(Measurements all) {
   Measurements found;

@@ -1,4 +1,4 @@
-/// What exercise 21 asks for.
+/// The answer to exercise 21, and its checks.
 #pragma once
 
 #include "pushback/common/exercise/exercise.h"

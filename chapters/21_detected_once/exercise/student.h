@@ -9,20 +9,20 @@ using namespace pushback;
 using exercise_21::Found;
 using exercise_21::Moved;
 
-// You read   found.C                    C_0, m: the distance between the bodies when the contact was detected
+// You read   found.C                    C_0, the distance between the bodies when the contact was detected, m
 //            found.n                    unit, from A to B
 //            found.arm_a, found.arm_b   m, from each centre of mass to the point
-//            a.way, a.turn              the displacement of A since then, m, and its rotation, rad; b likewise
+//            a.way, a.turn              the displacement of A since then, m, and its rotation, rad, likewise for b
 
 // TODO the three functions: C_0 + J dX; a gap may close within the substep; a body that approaches is not stopped early
 
-/// C, m: the present distance between the bodies of this contact, to first order in their rotations.
+/// C, the present distance between the bodies of this contact, to first order in their rotations, m.
 inline Real separation(const Found& found, const Moved& a, const Moved& b) {
   (void)a, (void)b;  // take this line out
   return found.C;
 }
 
-/// b of the row JV + b >= 0, m/s, as a substep of h seconds begins. What overlaps is pushed out at `rate`, 1/s.
+/// b of the row JV + b >= 0 at the beginning of a substep of h seconds, m/s. An overlap is pushed out at `rate`, 1/s.
 inline Real bias(Real C, Real rate, Real h) {
   (void)h;  // take this line out
   return rate * C;

@@ -13,10 +13,10 @@ using exercise_22::Colours;
 using exercise_22::Movable;
 using exercise_22::Pairs;
 
-/// Returns the colour of each pair, in the order of the pairs: the first colour that neither of its bodies has yet.
+/// Returns the colour of each pair, in the order of the pairs, which is the first colour that neither of its bodies has yet.
 ///
 /// You read   pairs[i].a, pairs[i].b   the indices of the bodies of pair i
-///            movable[a]               whether body a can move; movable.size() is the number of bodies
+///            movable[a]               whether body a can move, where movable.size() is the number of bodies
 /// No body is in more than 60 pairs.
 inline Colours colours(const Pairs& pairs, const Movable& movable) {
   Colours colours(pairs.size(), 0);

@@ -11,10 +11,10 @@ using exercise_23::Thread;
 
 /// The work of one thread in a sweep. Each thread calls this function, with another `thread.who`.
 ///
-/// You read   sizes[s]       the number of bundles of set s; sizes.size() is the number of sets
+/// You read   sizes[s]       the number of bundles of set s, where sizes.size() is the number of sets
 ///            thread.who     the index of this thread, from 0 on
 ///            thread.count   the number of threads
-/// You call   thread.solve(bundle)     bundles are numbered across all sets: the bundles of set 1 follow those of set 0
+/// You call   thread.solve(bundle)     bundles are numbered across all sets, so set 1 begins after the last bundle of set 0
 ///            thread.wait_for_all()    after every set, even after the last
 inline void sweep(Thread& thread, const Sizes& sizes) {
   // TODO for each set: solve this thread's share of the bundles, then wait

@@ -12,7 +12,7 @@ using exercise_24::Bob;
 ///
 /// You read and change   bob.x, bob.v   the position, m, and the velocity, m/s
 /// You read              bob.length     m
-///                       bob.off(x)     C at the position x, m: the distance from the origin minus the length of the rod
+///                       bob.off(x)     C at the position x, the distance from the origin minus the length of the rod, m
 ///                       bob.rod()      J: the unit vector from the origin to the present position of the ball
 ///                       g              m/s^2
 inline void step(Bob& bob, const Vec3& g, Real h) {

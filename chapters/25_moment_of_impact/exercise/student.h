@@ -10,7 +10,7 @@ using exercise_25::Ball;
 
 /// Advances a ball that falls and bounces by h seconds.
 ///
-/// You read and change   ball.y, ball.v   m above the ground, 0 or more; m/s upwards
+/// You read and change   ball.y, ball.v   m above the ground, 0 or more, and m/s upwards
 /// You read              ball.e           its coefficient of restitution, below 1
 ///                       g                m/s^2, downwards
 inline void step(Ball& ball, Real g, Real h) {

@@ -14,17 +14,17 @@ using exercise_26::Verdict;
 /// `call` returns how an island is moved in this step: Call::flight, Call::half_steps or Call::substeps.
 ///
 /// You read   island.contacts          the number of contacts that may act in this step
-///            island.joints            the number of joints; an island with joints has no contacts here
+///            island.joints            the number of joints. An island with joints has no contacts here
 ///            island.refused           whether half steps do not support the contents of the island
 ///            island.had_half_steps    whether it had half steps in the previous step
-///            bounds.most, .most_kept  the most contacts for half steps; the same if the island had half steps before
+///            bounds.most, .most_kept  the most contacts for half steps, and the same if it had half steps before
 ///
 /// `judge` assesses a step that has been tried, and returns {stands, substeps}.
 ///
 /// You read   substeps                 the number of substeps of this try
 ///            off                      |dE| of this try, divided by the allowed error
 ///            bounds.least_substeps, .most_substeps
-/// You return stands                   whether the step stands; otherwise it is repeated from its start
+/// You return stands                   whether the step is accepted. Otherwise it is repeated from its start
 ///            substeps                 of the next try, for the same step or the next one; 0: half steps are not enough
 
 // TODO both functions, in place of these

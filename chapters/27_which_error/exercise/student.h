@@ -10,12 +10,12 @@ using exercise_27::Bar;
 using exercise_27::Played;
 using plain_27::coarse, plain_27::fine, plain_27::step;
 
-/// `play_step` takes a step of h seconds, and adds what both estimates learn in it.
+/// `play_step` takes a step of h seconds and updates both estimates.
 ///
 /// You read    step(bar, h, n)   the bar after h seconds, in n substeps
 ///             fine, coarse      the numbers of substeps of the bar and of its twin
 /// You change  played.bar        the bar after the step
-///             played.halves     m: plus what the same step in fine / 2 substeps differs by, in y and in half a second of v
+///             played.halves     m, plus the difference of the same step in fine / 2 substeps, in y and in half a second of v
 ///             played.twin       its twin after the step
 ///
 /// `fooling_bar` returns a bar {y, v, angle, spin} (m, m/s, rad, rad/s).

@@ -1,5 +1,5 @@
-/// An engine that is a program of somebody else's, asked through a pipe. docs/benchmark.md says what is asked, and what is to be
-/// answered.
+/// An external program that simulates with its own engine and is controlled through a pipe. docs/benchmark.md specifies the requests
+/// and the answers.
 #pragma once
 
 #include <filesystem>
@@ -10,30 +10,30 @@
 
 namespace pushback {
 
-/// How an adapter is called: "node FILE" for .mjs and .js, "python3 FILE" for .py, and FILE by itself where it can be executed.
-/// Throws InvalidInput where there is no such file, or it is none of these.
+/// The command that starts an adapter, which is "node FILE" for .mjs and .js, "python3 FILE" for .py, and FILE if it is executable.
+/// Throws InvalidInput if there is no such file, or if it is none of these.
 std::vector<std::string> command_of_adapter(const std::filesystem::path& file);
 
 class Adapter {
  public:
-  /// Starts it, and asks which settings it has. Throws std::runtime_error where it answers wrongly, here and below, with what was asked
-  /// and what is needed.
+  /// Starts the program and requests its settings. This and the functions below throw std::runtime_error, with the request and the
+  /// required answer, if an answer is invalid.
   explicit Adapter(const std::filesystem::path& file);
 
   const std::string& engine() const { return engine_; }  ///< "Rapier 0.21.0"
   const std::vector<PeerSetting>& settings() const { return settings_; }
-  /// Whether the number of sweeps means something to the setting.
+  /// Whether the setting uses the number of sweeps.
   bool sweeps(const std::string& setting) const;
 
-  /// The world becomes the engine's, and what was in it before is gone. Nothing where it plays it; else what it lacks.
+  /// Replaces the engine's world by this one. Returns an empty text, or the feature that the engine lacks for this world.
   std::string open(const std::string& setting, int substeps, int sweeps, Real dt, const World& world);
 
   struct Moved {
-    double seconds = 0;        ///< of its own clock
-    std::vector<Body> bodies;  ///< position, orientation, velocities, index: of the movable
+    double seconds = 0;        ///< measured by the program's own clock
+    std::vector<Body> bodies;  ///< position, orientation, velocities and index of the movable bodies
   };
-  /// `steps` steps of h, s. `changed`: bodies that others have moved, and those that nothing moves but their velocity. `pushed`: those
-  /// whose force or torque is not 0. 0 steps: only where bodies are.
+  /// Takes `steps` steps of h, s. With 0 steps it only returns the states of the bodies. `changed`: bodies that the caller has moved, and
+  /// immovable bodies with a velocity. `pushed`: bodies whose force or torque is not 0.
   Moved step(int steps, Real h, const std::vector<Body>& changed = {}, const std::vector<Body>& pushed = {});
 
  private:
@@ -43,10 +43,10 @@ class Adapter {
   std::string engine_;
   std::vector<PeerSetting> settings_;
   std::vector<bool> sweeps_;
-  std::size_t bodies_ = 0;  // of the world that is open
+  std::size_t bodies_ = 0;  // number of bodies in the open world
 };
 
-/// That of PUSHBACK_ADAPTER in the environment, started once. Throws InvalidInput where there is none.
+/// The adapter in the environment variable PUSHBACK_ADAPTER, started once. Throws InvalidInput if the variable is not set.
 Adapter& the_adapter();
 
 }  // namespace pushback

@@ -1,4 +1,4 @@
-/// A world as text that other programs read. docs/benchmark.md says what its fields are.
+/// A world as text that other programs read. docs/benchmark.md describes its fields.
 #pragma once
 
 #include <filesystem>
@@ -8,25 +8,26 @@
 
 namespace pushback {
 
-/// Numbers in full: read again, they are the same bits.
+/// Numbers have enough digits to give the same bits when they are read.
 using Json = nlohmann::ordered_json;
 
 Json json_of(const Vec3& v);
-/// Back, of three numbers.
+/// Converts an array of three numbers back.
 Vec3 vec3_of(const Json& json);
 /// w, x, y, z.
 Json json_of(const Quat& q);
 
-/// Gravity, bodies, joints, as they stand. Throws InvalidInput, which begins with not_possible, where there is something that the
-/// text has no words for: a conveyor, a skin, groups, a joint that is none of JointShape's.
+/// Gravity, bodies and joints in their present state. Throws InvalidInput, whose message begins with not_possible, for elements that
+/// the format does not have, which are conveyors, skins, groups, and joints that are none of JointShape's kinds.
 Json scene_json(const World& world);
 
-/// Back. Of a body `position`, `shape` and `mass` must be there; what else is left out is as World::add has it: at rest, not turned,
-/// with the friction and restitution of any body, and the inertia of a uniform one. So is gravity, and `joints` may be missing. A hull has the
-/// inertia of a uniform one in any case. Throws InvalidInput, which names the body or joint, the field, what it is and what is needed.
+/// Converts a scene back. A body must have `position`, `shape` and `mass`. Other missing fields get the defaults of World::add, which are
+/// no velocity, no rotation, the default friction and restitution, and the inertia of a uniform body. Gravity has its default, too,
+/// and `joints` may be missing. A hull always has the inertia of a uniform body. Throws InvalidInput, naming the body or joint, the
+/// field, its value and the required value.
 World scene_of(const Json& json);
 
-/// The scene in a file. Throws InvalidInput where it is none.
+/// The scene in a file. Throws InvalidInput if the file is not a scene.
 World scene_in(const std::filesystem::path& file);
 
 /// Position, orientation and both velocities, and the body's index.

@@ -1,4 +1,4 @@
-/// A random scene under one stage, with everything watched that must hold in any scene.
+/// Plays a random scene with one solver and checks the invariants that must hold in any scene.
 #pragma once
 
 #include <string>
@@ -9,16 +9,17 @@
 namespace pushback {
 
 struct FuzzResult {
-  std::string broken;      ///< what broke first; empty: nothing
-  int step = 0;            ///< in which step, from 1
+  std::string broken;      ///< the invariant that broke first, or empty
+  int step = 0;            ///< the step in which it broke, from 1
   std::uint64_t hash = 0;  ///< of the world at the end
 };
 
-/// All solvers of the catalogue. What they say they did is held against what they did, and some are watched from inside as well.
+/// The names of all solvers of the catalogue. Their reported impulses are compared with the motion of the bodies, and for some solvers
+/// each sweep is checked as well.
 std::vector<std::string> fuzzed_stages();
 
-/// 60 steps of a scene. Throws InvalidInput for a stage that is not one of fuzzed_stages(). `log`: the scene and
-/// every step are printed.
+/// Plays 60 steps of a scene. Throws InvalidInput if the stage is not one of fuzzed_stages(). `log`: whether to print the scene and
+/// every step.
 FuzzResult fuzz(const RandomScene& scene, const std::string& stage, bool log = false);
 
 }  // namespace pushback

@@ -1,32 +1,32 @@
-/// What the energy of a solve may do, whatever the scene and however few the sweeps.
+/// Bounds on the change of kinetic energy by a solve, for any scene and any number of sweeps.
 ///
 /// A row that is solved changes its sum lambda by d, and the kinetic energy by exactly
 ///
-///   dT = d JV + K d^2 / 2                                                     JV: before
+///   dT = d JV + K d^2 / 2                                                     JV: before the solve
 ///
-/// It wants w = -(JV + b + gamma lambda) / (K + gamma) and gets d = theta w, 0 <= theta <= 1, where lambda lay within its
-/// limits already: a clamp only stops it on the way. So d w >= d^2, and with JV = -(K + gamma) w - b - gamma lambda
+/// The unclamped change is w = -(JV + b + gamma lambda) / (K + gamma). If lambda was within its limits, a clamp only reduces it, so
+/// d = theta w with 0 <= theta <= 1. Hence d w >= d^2, and with JV = -(K + gamma) w - b - gamma lambda
 ///
-///   dT <= -b d - gamma (lambda'^2 - lambda^2) / 2 - (K + gamma) d^2 / 2       with equality where nothing clamps
+///   dT <= -b d - gamma (lambda'^2 - lambda^2) / 2 - (K + gamma) d^2 / 2       with equality if nothing clamps
 ///
-/// Nothing is assumed of the other rows, so the sum over a sweep holds for any number of rows and sweeps, converged or not:
-/// energy comes in through b alone, the push-out speed or the bounce, and each row pays K d^2 / 2 for being solved.
+/// Nothing is assumed about other rows, so the sum over a sweep holds for any number of rows and sweeps, converged or not. Only b, the
+/// push-out speed or the bounce, adds energy, and each solve of a row dissipates K d^2 / 2.
 ///
-/// Two things this does not cover, and the ledger goes on from what they leave:
-///  - the start from old impulses does whatever work it does;
-///  - where a contact has come to press less, the bound of its friction has shrunk below what it has already rubbed. It has to
-///    give some of that back, though it might want more: no theta. That can return energy.
+/// The bound does not cover two changes, after which the ledger continues with the present energy:
+///  - The warm start may do any work.
+///  - If the normal impulse of a contact decreases, the limit of its friction falls below the accumulated friction impulse. Part of
+///    that impulse has to be taken back, even if the unclamped change has the other sign, so there is no theta. That can add energy.
 ///
-/// What is checked is each sweep over the normals, and each sweep over the tangents in which no bound had shrunk.
+/// The ledger checks each sweep over the normals, and each sweep over the tangents in which no limit had decreased.
 ///
-/// Where the bound of friction is a disc, its two rows change together by d, a step of 1/k that is then projected. With g = JV
-/// before and k no less than either eigenvalue of the rows' block, a point of the disc is projected to one at which
+/// If the friction limit is a disc, its two rows change together by d, a step of 1/k that is then projected. Let g be JV before the
+/// step, and let k be at least as large as both eigenvalues of the rows' block. From a point in the disc, the projected step satisfies
 /// g . d <= -k d . d, so
 ///
 ///   dT = g . d + d . (block) d / 2 <= -k d . d / 2
 ///
-/// Where the normals are solved as often as it takes, each visit to a row obeys the inequality, and -b d and the term in gamma add
-/// up over the visits; but what is paid does not follow from the sum of the d: at least nothing.
+/// If the normals are solved repeatedly within a sweep, each solve of a row satisfies the inequality, and -b d and the term in gamma add
+/// up over these solves. The dissipated energy does not follow from the sum of the d, so only 0 is assumed for it.
 #pragma once
 
 #include <string>
@@ -37,20 +37,20 @@
 
 namespace pushback {
 
-/// Keeps the books of one solver. The effects below tell it where a solve has got to.
+/// Checks the energy balance of one solver. The effects below report the stages of a solve to it.
 class Ledger {
  public:
-  std::string broken;          ///< the first sweep that gained more than its rows allow; empty: none did
-  bool repeated = false;       ///< normals are solved as often as it takes in a sweep
-  bool cone = false;           ///< the bound of friction is a disc
-  std::size_t normals = 0;     ///< so many rows, the first ones
+  std::string broken;          ///< the first sweep that added more energy than its rows allow, or empty
+  bool repeated = false;       ///< whether normals are solved repeatedly within a sweep
+  bool cone = false;           ///< whether the friction limit is a disc
+  std::size_t normals = 0;     ///< the number of normal rows, which come first
   std::vector<Real> friction;  ///< mu of each contact that has tangents
-  const std::vector<Real>* softness = nullptr;  ///< gamma of the first rows, 1/kg; none: they hold
+  const std::vector<Real>* softness = nullptr;  ///< gamma of the first rows, 1/kg, or null if they are rigid
 
-  void open(const Rows& rows);        ///< no impulse yet
-  void go_on_from(const Rows& rows);  ///< whatever has changed since: the old impulses are in, or the bodies have moved
-  void normals_swept(const Rows& rows);   ///< each normal, by itself
-  void tangents_swept(const Rows& rows);  ///< a sweep is over
+  void open(const Rows& rows);            ///< call it before any impulse
+  void go_on_from(const Rows& rows);      ///< after a warm start, or after the bodies have moved
+  void normals_swept(const Rows& rows);   ///< after each normal has been solved by itself
+  void tangents_swept(const Rows& rows);  ///< at the end of a sweep
 
  private:
   Real softness_of(std::size_t row) const { return softness && row < softness->size() ? (*softness)[row] : 0; }
@@ -61,12 +61,12 @@ class Ledger {
   bool bounds_shrunk(const Rows& rows) const;
 
   std::vector<const Body*> bodies_;
-  Real rounding_ = 0;  // relative
-  Real now_ = 0;       // J, after what was booked last
+  Real rounding_ = 0;  // relative to the energies
+  Real now_ = 0;       // J, after the latest report
   std::vector<Real> impulses_;
 };
 
-/// Instead of Friction or FrictionCone: the same, with the ledger told before and after.
+/// Replaces Friction or FrictionCone. The same effect, which reports to the ledger before and after it acts.
 template <class OneFriction>
 struct Booked : OneFriction {
   Ledger* ledger = nullptr;
@@ -83,7 +83,7 @@ struct Booked : OneFriction {
   }
 };
 
-/// The last effect: nothing acts after it in any hook.
+/// Has to be the last effect, so that nothing acts after it in any hook.
 struct Bookkeeper : Effect {
   Ledger* ledger = nullptr;
   void build(StepContext& step) { ledger->open(step.rows); }
@@ -98,7 +98,7 @@ struct RelaxingBookkeeper : Bookkeeper, Relaxes {
   void relax(RelaxingContext& step) { ledger->go_on_from(step.rows); }
 };
 
-/// A solver of which some effects keep books, all in one ledger.
+/// A solver some of whose effects report to one ledger.
 template <template <class...> class SolverOf, class... Effects>
 struct BookedSolver : SolverOf<Effects...> {
   explicit BookedSolver(Ledger& ledger) {

@@ -1,4 +1,4 @@
-/// Whether what a step says it did is what it did.
+/// Checks whether the impulses that a step reports explain the motion of the bodies.
 #pragma once
 
 #include <string>
@@ -7,21 +7,21 @@
 
 namespace pushback {
 
-/// Compares what each movable body's momentum has changed by in a step of dt with what the world reports:
+/// Compares the change of each movable body's momentum in a step of dt with the impulses that the world reports:
 ///
 ///   m (v' - v) = h (m g + F) + sum(contact impulses) + sum(joint impulses)
 ///
-/// Joints count whose equations are along the axes of the world, or between turns, as those of a ball and socket, a hinge or a weld. The
-/// direction of any other turns within the step, so the bodies that it holds are left out. World::forces are to be empty.
+/// Joints are included if their equations are along world axes or rotational, as for a ball and socket, a hinge or a weld. The
+/// directions of other equations rotate within the step, so bodies with such joints are left out. World::forces must be empty.
 class MomentumAccount {
  public:
-  /// Before the step.
+  /// Call it before the step.
   explicit MomentumAccount(const World& world);
-  /// What does not add up, with its number; empty where all does. `epsilon`: the rounding unit of the numbers that impulses are in.
+  /// A text on the first discrepancy with its value, or empty if there is none. `epsilon`: the rounding unit of the impulses.
   std::string look(const World& after, Real dt, Real epsilon = std::numeric_limits<Real>::epsilon());
 
  private:
-  Real largest_ = 0;  // N s, of all numbers that were added up so far
+  Real largest_ = 0;  // N s, the largest of all terms added so far
   World before_;
 };
 

@@ -1,4 +1,4 @@
-/// A flat box of 20 kg that slides, and how far friction lets it.
+/// A flat box of 20 kg that slides, and the distance that friction allows.
 #pragma once
 
 #include <cmath>
@@ -7,14 +7,14 @@
 
 namespace pushback {
 
-/// On a slope, 0.01 mm deep: all four corners touch from the start.
+/// The box on a slope, 0.01 mm deep, so that all four corners touch from the start.
 inline void box_on_slope(World& world, Real theta, Real mu) {
   const Vec3 up{-std::sin(theta), std::cos(theta), 0};
   world.add(half_space(up).rough(mu));
   world.add(box({Real(0.2), Real(0.05), Real(0.2)}, 20).turned(theta, Vec3::UnitZ()).at(Real(0.04999) * up).rough(mu));
 }
 
-/// The same on the level, sent off under `heading`, its sides along its way.
+/// The same box on level ground. It starts in the direction `heading` (rad), with its sides parallel to its path.
 inline void sliding_box(World& world, Real mu, Real speed, Real heading) {
   world.add(ground().rough(mu));
   world.add(box({Real(0.2), Real(0.05), Real(0.2)}, 20)
@@ -24,7 +24,7 @@ inline void sliding_box(World& world, Real mu, Real speed, Real heading) {
                 .rough(mu));
 }
 
-/// The sum of dt (v0 - k mu g dt) as far as that is positive: what v0^2 / (2 mu g) is in steps of dt.
+/// The sum of dt (v0 - k mu g dt) over all positive terms, the discrete form of v0^2 / (2 mu g) in steps of dt, m.
 inline Real discrete_distance(Real mu, Real speed, Real dt) {
   if (dt == 0) return speed * speed / (2 * mu * World::g);
   Real way = 0;

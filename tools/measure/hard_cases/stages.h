@@ -1,4 +1,4 @@
-/// The solvers that are tried on the hard cases: one a chapter, and what came after.
+/// The solvers that play the hard cases, one per chapter, and later solvers.
 #pragma once
 
 #include <functional>
@@ -10,44 +10,44 @@
 
 namespace pushback {
 
-/// Moves a world on by dt. Holds a solver with its memory: one for each world.
+/// Advances a world by dt. Contains a solver with its stored data, so each world needs its own Stepper.
 struct Stepper {
   std::function<void(World&, Real dt)> step;
-  /// Whether the latest step was half steps of this body; none: of nobody.
+  /// Whether the latest step moved this body by half steps. Empty if it moves no body so.
   std::function<bool(int body)> half_steps = {};
 };
 
-/// How a solver comes by its contacts: a solver with a step of its own finds them itself, unless they are given.
+/// Whether a program gives the contacts to the solver, and how often. A solver with its own whole_step finds contacts itself otherwise.
 enum class GivenContacts { none, once, twice };
 
 struct Stage : NamedSolver {
-  /// From so many starts at most is a case played: what takes long is played once.
+  /// The most starts from which a case is played. Slow solvers play once.
   int most_starts = std::numeric_limits<int>::max();
-  /// What flies, or slides alone, is moved by half steps (chapter 24).
+  /// Whether bodies that fly, or slide without others, are moved by half steps (chapter 24).
   bool half_steps = false;
-  /// The program, and its arguments, that plays a case under it by a process of its own, as it may crash or never end. Empty: it is
-  /// played here.
+  /// The program with its arguments that plays a case in a separate process, because the solver may crash or not return. Empty if the
+  /// case is played in this process.
   std::vector<std::string> apart = {};
-  /// Its outcome is on each case the best of these, which are tried until one passes. Empty: its own.
+  /// If not empty, the outcome of a case is the best of these stages, which are tried until one passes.
   std::vector<Stage> tries = {};
-  /// The rounding unit of the numbers that it computes with.
+  /// The rounding unit of the solver's numbers.
   Real epsilon = std::numeric_limits<Real>::epsilon();
 
-  /// Into how many it divides a step of dt.
+  /// The number of substeps in a step of dt.
   int substeps(Real dt = Real(1) / 60) const { return solver.plan(dt).all_substeps(); }
 
   Stepper begin(GivenContacts given = GivenContacts::none) const;
 };
 
-/// All of the catalogue's solvers.
+/// All solvers of the catalogue.
 const std::vector<Stage>& stages();
-/// How many of them, the first ones, are chapters.
+/// The number of chapters among them, which come first.
 inline constexpr std::size_t chapter_stages = 8;
 
-/// The columns of the table: all stages, and all contacts solved directly in each step, within a count of multiplications.
+/// The columns of the table, which are all stages and a direct solve of all contacts in each step, with a limit of multiplications.
 const std::vector<Stage>& table_stages();
 
-/// Of the table's. Throws InvalidInput, naming those that there are.
+/// One of table_stages. Throws InvalidInput, listing all names, if there is no such stage.
 const Stage& stage_named(std::string_view name);
 
 }  // namespace pushback

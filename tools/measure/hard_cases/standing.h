@@ -5,37 +5,37 @@
 
 namespace pushback {
 
-inline constexpr Real slop = Real(0.005);    ///< m, of chapter 04: what lies deeper is "beyond"
-inline constexpr Real frame = Real(1) / 60;  ///< s, the step of every case that does not say another
+inline constexpr Real slop = Real(0.005);    ///< m, of chapter 04; a larger depth counts as "beyond"
+inline constexpr Real frame = Real(1) / 60;  ///< s, the default step of a case
 
-/// Sees what is `size` m across and high round `centre`, from the front, a little from the right and above.
+/// A camera that shows `size` m of width and height around `centre`, from the front, slightly from the right and above.
 Camera view(const Vec3& centre, Real size);
-/// `seconds`: when its picture is taken.
+/// A scene with this camera. `seconds`: the time of its picture, s.
 Scene seen(std::function<void(World&)> fill, const Camera& camera, Real seconds);
 
-/// The energy that standing bodies may gain: the work of lifting all of them by a millimetre.
+/// An allowance for standing bodies. They may gain the energy that would lift all of them by 1 mm.
 Allowance standing(const World& world);
-/// The same, with this height in m.
+/// The same with this height, m.
 AllowanceOf lifting(Real height);
-/// The same, and falling bodies may overlap by this much, m, when they strike.
+/// The same, and falling bodies may overlap by this depth (m) when they strike.
 AllowanceOf striking(Real overlap);
-/// Nothing may be gained; a thousandth is for bounces that sweeps leave not quite solved. What is allowed besides: `other`.
+/// Allows no gain of energy, except for a thousandth, because sweeps do not solve bounces exactly. `other`: the other limits.
 AllowanceOf bouncing(const Allowance& other = {});
 
 /// Measurements of a standing pile.
 struct Stood {
-  Real drift = 0;    ///< m, sideways, of the body that moved most
-  Real moved = 0;    ///< m, in any direction, of the body that moved most
-  Real beyond = 0;   ///< m deeper than the slop, the deepest of all steps
-  Real jitter = 0;   ///< m/s, the fastest centre of mass in the last second
-  Real kinetic = 0;  ///< J, the most in the last second
-  Real gained = 0;   ///< J, above the start, the most
+  Real drift = 0;    ///< m, the largest horizontal displacement of a body
+  Real moved = 0;    ///< m, the largest displacement of a body in any direction
+  Real beyond = 0;   ///< m, the largest overlap of all steps beyond the slop
+  Real jitter = 0;   ///< m/s, the largest speed of a centre of mass in the last second
+  Real kinetic = 0;  ///< J, the largest value in the last second
+  Real gained = 0;   ///< J, the largest gain over the start
 };
 
-/// Moves on by `seconds`, at least 1, in steps of dt.
+/// Advances by `seconds`, at least 1, in steps of dt.
 Stood stand(Play& play, Real seconds, Real dt = frame);
 
-/// Which of these numbers has which limit: in thousandths where the unit is one of mm, mm/s and mJ, or in J.
+/// A member of Stood and its limit, in mm, mm/s, mJ or J.
 struct Asked {
   Criterion criterion;
   Real Stood::* number;
@@ -53,21 +53,21 @@ inline Asked at_rest() {
   return {{"speed in the last second", "mm/s", 1}, &Stood::jitter};
 }
 
-/// `what`, with these criteria, of how it stands.
+/// `what` with these criteria for the result of `how`.
 HardCase must_stand(HardCase what, const std::vector<Asked>& asked, const std::function<Stood(Trial&)>& how);
-/// Its scene is to stand for so long, in steps of dt.
+/// The same for a scene that is to stand for `seconds`, in steps of dt.
 HardCase must_stand(HardCase what, const std::vector<Asked>& asked, Real seconds = 10, Real dt = frame);
 
-/// What falls in its scene comes to rest within ten seconds, and may strike as deep as `overlap` m.
+/// A case whose falling bodies must come to rest within ten seconds, and may overlap by `overlap` m when they strike.
 HardCase must_settle(HardCase what, Real overlap);
 
-/// A stack of three that falls a little, and past it slides a box 0.4 m high, its centre `height` m up.
+/// A stack of three that falls a little, and a box 0.4 m high that slides past it, with its centre at `height` m.
 void falling_and_sliding(World& world, Real height);
 
-/// mm: both move on by five seconds; how far a body is at most from where the other world has it, but for `shift`.
+/// Advances both worlds by five seconds. Returns the largest distance between the same body in both, apart from `shift`, mm.
 Real farthest_apart(Play& one, Play& other, const Vec3& shift = Vec3::Zero());
 
-/// m, of points that a joint holds on each other: how far apart they are.
+/// The distance between the two points that a joint should hold together, m.
 Real gap_of(const World& world, const Joint& joint);
 
 }  // namespace pushback

@@ -5,11 +5,11 @@
 
 namespace pushback::outside {
 
-/// Three tables, a row for each scene and a column for each solver: what came of it; overlap and energy; time. First the scenes in
-/// which most of `ours` fail.
+/// Three tables with a row per scene and a column per solver, for results, for overlap and energy, and for times. Scenes in which most
+/// of `ours` fail come first.
 std::string tables(const std::vector<Played>& all, const std::vector<std::string>& ours);
 
-/// All scenes, with their sources and with what must come of each.
+/// All scenes, with their sources and their criteria.
 std::string list_of_scenes();
 
 }  // namespace pushback::outside

@@ -1,4 +1,4 @@
-/// Another engine with a world of ours in it, which plays motions, and hard cases as a solver of ours.
+/// Another engine that simulates one of our worlds. It plays motions, and hard cases as one of our solvers.
 #pragma once
 
 #include "pushback/common/world/step_solver.h"
@@ -7,16 +7,16 @@
 
 namespace pushback {
 
-/// Sleeping and damping are off; a pair rubs and bounces as a pair of ours does.
+/// Sleeping and damping are off. Friction and restitution of pairs are combined as in our worlds.
 class Engine : public Player {
  public:
-  /// The body's position, orientation and velocities become the engine's.
+  /// Sets position, orientation and velocities of the engine's body.
   virtual void put(const Body& body) = 0;
-  /// An immovable body that moves: in the next step it goes from `now` to `then`.
+  /// Moves an immovable body from `now` to `then` in the next step.
   virtual void drive(const Body& now, const Body& then) = 0;
-  /// The force and torque of a movable body act in the next step.
+  /// Applies the force and torque of a movable body in the next step.
   virtual void push(const Body& body) = 0;
-  /// Moves on by h, s. Throws InvalidInput where the engine gives up.
+  /// Advances by h, s. Throws InvalidInput if the engine fails.
   virtual void step(double h) = 0;
   void steps(int count, double h) override {
     for (int i = 0; i < count; ++i) step(h);
@@ -25,31 +25,31 @@ class Engine : public Player {
 
 using BeginEngine = std::unique_ptr<Engine>(const World& world, const PeerSetting& setting);
 
-/// "not possible: ODE has no cone limit"
+/// The error "not possible: ODE has no cone limit".
 InvalidInput not_had(const std::string& what);
 
-/// Throws not_had where the body has what no engine is told of in a hard case: a skin, groups, a surface that conveys.
+/// Throws not_had if the body has a feature that is not passed to engines in hard cases, which are skins, groups and conveying surfaces.
 void check_plain(const Body& body);
 
-/// An immovable body whose velocity moves it; that of a conveyor moves its surface alone.
+/// Whether the body is immovable and moves at its velocity. A conveyor's velocity moves only its surface.
 inline bool is_driven(const Body& body) {
   return !body.movable() && !body.conveys && (!body.velocity.isZero(0) || !body.angular_velocity.isZero(0));
 }
 
-/// A whole step hands the world to the engine. What others have changed since is written into it; where that is more than
-/// positions and velocities, the engine is built again. Our collision detection finds the contacts after the step, so that an overlap
-/// means the same under every engine. Their impulses are 0, because the engine's impulses are not read.
+/// `whole_step` passes the world to the engine. Changes by others since the latest step are written into the engine. If more than
+/// positions and velocities have changed, the engine is built again. After the step our collision detection finds the contacts, so that
+/// an overlap means the same for every engine. Their impulses are 0, because the engine's impulses are not read.
 class EngineSolver : public StepSolver {
  public:
   EngineSolver(BeginEngine* begin, PeerSetting setting) : begin_(begin), setting_(std::move(setting)) {}
-  /// A copy begins anew: an engine cannot be copied.
+  /// A copy starts without an engine, because an engine cannot be copied.
   EngineSolver(const EngineSolver& other) : StepSolver(other), begin_(other.begin_), setting_(other.setting_) {}
   EngineSolver(EngineSolver&&) = default;
   EngineSolver& operator=(const EngineSolver&) = delete;
 
   Plan plan(Real) const override { return {.detections = setting_.substeps, .substeps = setting_.own_substeps}; }
   bool supports_joints() const override { return true; }
-  /// Call by call: throws, as an engine finds contacts by itself and cannot be given any.
+  /// Always throws, because an engine finds contacts itself and cannot take ours.
   void check(World& world, Real h) override;
   void solve(World& world, Real h, int /*sweeps*/) override { check(world, h); }
   void whole_step(World& world, Real dt, int sweeps) override;
@@ -61,9 +61,9 @@ class EngineSolver : public StepSolver {
   BeginEngine* begin_;
   PeerSetting setting_;
   std::unique_ptr<Engine> engine_;
-  std::vector<Body> left_;     // as they were left after the latest step
-  std::vector<Joint> joints_;  // that the engine was built with
-  std::vector<bool> driven_;   // of its bodies: which were driven then
+  std::vector<Body> left_;     // the bodies after the latest step
+  std::vector<Joint> joints_;  // the joints with which the engine was built
+  std::vector<bool> driven_;   // for each body, whether it was driven then
   Vec3 gravity_ = Vec3::Zero();
 };
 

@@ -1,4 +1,4 @@
-/// What each engine's source defines; a program is linked with one of them.
+/// The functions that the source file of each engine defines. A program is linked with one of these files.
 #pragma once
 
 #include "pushback/tools/measure/peers/engine.h"
@@ -8,21 +8,21 @@
 
 namespace pushback {
 
-/// The engine, in the ways in which it plays motions.
+/// The methods with which the engine plays motions.
 std::vector<Method> peer_methods();
 
-/// For methods that solve all rows at once, in a dense matrix: those of a thousand bodies at rest would take 14 GB.
+/// For methods that solve all rows at once in a dense matrix. The matrix of a thousand resting bodies would take 14 GB.
 inline bool few_bodies(const Motion& motion) {
   return moving_bodies(motion) <= 200;
 }
 
-/// The settings in which it may play hard cases.
+/// The settings in which the engine may play hard cases.
 std::vector<PeerSetting> settings_of_peer();
 
-/// With the world of a hard case in it. Throws not_had where the engine lacks something that is in the world.
+/// Makes an engine with the world of a hard case. Throws not_had if the engine lacks a feature of the world.
 BeginEngine begin_engine;
 
-/// Its name, its version, and what it says of how it was built.
+/// The engine's name, its version, and its build settings if it reports them.
 std::string peer_version();
 
 }  // namespace pushback

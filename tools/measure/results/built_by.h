@@ -4,7 +4,7 @@
 
 namespace pushback {
 
-/// The compiler of this program, its version, and how it was called.
+/// The compiler of this program, its version and its arguments.
 std::string built_by();
 
 }  // namespace pushback

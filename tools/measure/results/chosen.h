@@ -1,12 +1,12 @@
-/// Of cases and stages, those that are asked for.
+/// Chooses cases and stages by name.
 #pragma once
 
 #include "pushback/common/basics/named.h"
 
 namespace pushback {
 
-/// Those that the words ask for, in their own order: by the whole name, or else by a part of it. All, without words. Throws InvalidInput,
-/// naming all there are, where a word fits none.
+/// The items of `all` whose names match one of the words, in the order of `all`. A word matches a whole name, or otherwise a part of
+/// names. Without words, all items match. Throws InvalidInput, listing all names, if a word matches none.
 template <class Named>
 std::vector<Named> chosen(const std::string& kind, const std::vector<Named>& all,
                           const std::vector<std::string>& words) {
@@ -21,7 +21,7 @@ std::vector<Named> chosen(const std::string& kind, const std::vector<Named>& all
     };
     if (mark([&](const std::string& name) { return name == word; })) continue;
     if (!word.empty() && mark([&](const std::string& name) { return name.find(word) != std::string::npos; })) continue;
-    named(kind, all, word);  // refuses it
+    named(kind, all, word);  // throws
   }
   std::vector<Named> list;
   for (std::size_t i = 0; i < all.size(); ++i) {

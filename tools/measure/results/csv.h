@@ -1,4 +1,4 @@
-/// Values separated by commas: how results are kept.
+/// Comma-separated values, the format of results.
 #pragma once
 
 #include <charconv>
@@ -9,13 +9,13 @@
 
 namespace pushback {
 
-/// A field, in quotes where it needs them.
+/// A field, in quotes if it needs them.
 std::string csv_field(const std::string& text);
 
 /// The fields of each line, without their quotes.
 std::vector<std::vector<std::string>> csv_fields(const std::string& text);
 
-/// The whole word. Throws InvalidInput where it is no number.
+/// Converts a whole word to a number. Throws InvalidInput if it is not a number.
 template <class Number>
 Number csv_number(const std::string& word) {
   Number number = 0;
@@ -25,8 +25,8 @@ Number csv_number(const std::string& word) {
   return number;
 }
 
-/// Calls read(fields) for each line behind the heading. Throws InvalidInput, with the line, where there is another heading or another
-/// number of fields, and where `read` throws it.
+/// Calls read(fields) for each line after the heading. Throws InvalidInput, with the line, if the heading or the number of fields
+/// differs, or if `read` throws it.
 template <class Read>
 void read_csv_lines(const std::string& text, const std::string& heading, const Read& read) {
   const std::string first = text.substr(0, text.find('\n'));

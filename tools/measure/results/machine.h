@@ -1,13 +1,13 @@
-/// On which machine, and under what load, times are measured.
+/// The machine on which times are measured, and its load.
 #pragma once
 
 #include <string>
 
 namespace pushback {
 
-/// Of /proc/cpuinfo, and how many of them: "AMD EPYC 7B12, 2 cores".
+/// The processor in /proc/cpuinfo and its number of cores: "AMD EPYC 7B12, 2 cores".
 std::string processor();
-/// Of /proc/loadavg: how many programs wanted to run, in the mean of the last 1, 5 and 15 minutes. "unknown" where it is not there.
+/// The mean numbers of runnable programs over the last 1, 5 and 15 minutes, from /proc/loadavg, or "unknown" if it does not exist.
 std::string load_now();
 
 }  // namespace pushback

@@ -1,4 +1,4 @@
-/// Settings by engine, method and maker, the errors of the tables, and how their cells show a time.
+/// Selects settings by engine, method and maker, and formats the errors and times of the tables.
 #pragma once
 
 #include <fmt/format.h>
@@ -31,25 +31,25 @@ inline Measurements of_engine(const Measurements& all, const std::string& engine
 inline Measurements of_method(const Measurements& all, const std::string& method) {
   return those(all, [&](const Measured& one) { return one.method == method; });
 }
-/// Empty for programs of no maker, as those of docs/methods.md.
+/// The maker of a program, or empty for programs without one, such as the methods of docs/methods.md.
 inline const std::string& maker_of(const Measured& one) {
   return named("engine", known_engines(), one.engine).maker;
 }
-/// By robust errors.
+/// The measurements of one maker's engines, with robust errors.
 inline Measurements of_maker(const Measurements& all, const std::string& maker) {
   return robust(those(all, [&](const Measured& one) { return maker_of(one) == maker; }));
 }
-/// The other engines, by robust errors.
+/// The measurements of all other makers' engines, with robust errors.
 inline Measurements of_others(const Measurements& all) {
   return robust(those(all, [](const Measured& one) { return maker_of(one) != ours && !maker_of(one).empty(); }));
 }
 
-/// So many digits, and no exponent; of what is larger, all before the point.
+/// A number with `digits` digits, or with all digits before the point, without an exponent.
 inline std::string plain(double value, int digits = 3) {
   return value < 99.5 ? fmt::format("{:.{}g}", value, digits) : fmt::format("{:.0f}", value);
 }
 
-/// us of wall time for a frame.
+/// The wall time of a frame, us.
 inline double per_frame(const Motion& motion, double seconds) {
   return 1e6 * seconds / motion.frames();
 }

@@ -1,4 +1,4 @@
-/// A solver of ours as a player of motions.
+/// Plays motions with one of our solvers.
 #pragma once
 
 #include "pushback/chapters/01_velocity_constraint/rows_solved.h"
@@ -9,7 +9,7 @@ namespace pushback {
 
 class Ours : public Player {
  public:
-  /// `counts_rows`: whether rows are all of its work.
+  /// `counts_rows`: whether row solves measure all of its work.
   Ours(const World& world, AnySolver solver, int sweeps, bool counts_rows = true)
       : world_(world), solver_(std::move(solver)), sweeps_(sweeps), counts_rows_(counts_rows) {}
   void steps(int count, double h) override {
@@ -28,10 +28,10 @@ class Ours : public Player {
   AnySolver solver_;
   int sweeps_;
   bool counts_rows_;
-  std::size_t rows_solved_ = 0;  // by this player's steps
+  std::size_t rows_solved_ = 0;  // by the steps of this player
 };
 
-/// Method::begin, by a copy of this solver.
+/// Method::begin with a copy of this solver.
 inline auto by_ours(const AnySolver& solver, bool counts_rows = true) {
   return [kept = std::make_shared<const AnySolver>(solver), counts_rows](const World& world, const Setting& setting) {
     return std::unique_ptr<Player>(std::make_unique<Ours>(world, *kept, setting.sweeps, counts_rows));

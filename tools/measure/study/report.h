@@ -1,4 +1,4 @@
-/// What was measured, as diagrams and as tables in Markdown.
+/// The measurements as diagrams and as tables in Markdown.
 #pragma once
 
 #include <chrono>
@@ -13,70 +13,73 @@ struct MotionMeasured {
   Measurements all;
 };
 
-// Lines, and settings that are chosen, are of robust errors, and say of how many settings they were chosen.
+// Lines and chosen settings use robust errors, and give the number of settings from which they were chosen.
 
-/// Error against time: every setting of ours a dot at its own error, through the best of each engine a line.
+/// Error against time, with a dot at the own error of each of our settings, and a line through the best settings of each engine.
 Panel work_precision(const MotionMeasured& measured, const std::vector<Engine>& engines);
 
-/// The same of the methods of one program of ours, one line each: "motion", in double; "motion_wide", which divides steps itself.
+/// The same for the methods of one of our programs, with a line each. "motion" is in double, and "motion_wide" divides steps itself.
 Panel fronts_of_methods(const MotionMeasured& measured, const std::string& engine);
 
 /// "For an error below 1 cm, 1 mm, 0.1 mm, 1 µm the cheapest setting is ..., and costs ... us a frame of 1/60 s; its error is ..., of
 /// which ... remains as h -> 0."
 std::string table_of_cheapest(const std::vector<MotionMeasured>& all);
 
-/// A row a motion. What `Recommended` with an error of 1 mm takes for a frame, and how far off it is; a column a maker with all of his
-/// engines: the cheapest setting below 1 mm and its time for a frame; or the least error that it reaches.
+/// A table with a row per motion. It has the time of a frame and the error of `Recommended` with an error of 1 mm. A column for each
+/// maker, with all of the maker's engines, has the cheapest setting below 1 mm and its time for a frame, or the least error reached.
 std::string table_of_engines(const std::vector<MotionMeasured>& all, const std::vector<Engine>& engines);
 
-/// For the same four errors: how many times as long the others take as we do.
+/// The ratio of the other engines' time to ours, for the same four errors.
 std::string table_of_others(const std::vector<MotionMeasured>& all, const std::vector<Engine>& engines);
 
-/// How many motions ours plays faster than all other engines, for six errors, with all of our settings and with some; and by which factor
-/// the next engine is slower, in the median: for all motions, for those that are piecewise quadratic or rest, for the others.
+/// The number of motions that ours plays faster than all other engines, for six errors, with all of our settings and with some, and the
+/// median factor by which the next engine is slower, for all motions, for motions that are piecewise quadratic or at rest, and for the
+/// others.
 std::string table_of_regimes(const std::vector<MotionMeasured>& all);
-/// A row a motion: the fastest other engine for each of the six errors, and the ratio of its time to ours.
+/// A table with a row per motion, with the fastest other engine for each of the six errors, and the ratio of its time to ours.
 std::string table_of_next(const std::vector<MotionMeasured>& all);
-/// Our least time for 1 cm, 1 mm and 0.1 mm without the methods of chapters 24 to 27, and with them.
+/// Our least time for 1 cm, 1 mm and 0.1 mm, with and without the methods of chapters 24 to 27.
 std::string table_of_half_steps(const std::vector<MotionMeasured>& all);
 /// Our least time with contacts detected in each substep, and detected once in 1/60 s.
 std::string table_of_once(const std::vector<MotionMeasured>& all);
 
-/// Settings whose robust error is above an error that their own is below, and the cheapest whose robust error is below it, where it takes
-/// twice as long.
+/// Settings whose own error is below an error of the tables but whose robust error is above it, and the cheapest setting whose robust
+/// error is below it, if that setting takes twice as long.
 std::string table_of_choices(const std::vector<MotionMeasured>& all);
 
-/// A row a knob and motion: by what a doubling changes error and time, from slopes; warm against cold, float against double.
+/// A table with a row per parameter and motion. It has the factors by which a doubling changes error and time, from slopes, and compares
+/// warm with cold starts and float with double.
 std::string table_of_knobs(const std::vector<MotionMeasured>& all);
-/// Error against the two knobs that are numbers, in the rows of table_of_knobs.
+/// Error against substeps and against sweeps, for the rows of table_of_knobs.
 std::vector<Panel> panels_of_knobs(const std::vector<MotionMeasured>& all);
 
-/// What remains of every method's error as h -> 0, and of which order in h is what smaller steps remove; see limits.h.
-/// Tables of motions that are alike: bodies move, bodies rest, bodies hang ...
+/// The error of every method that remains as h -> 0, and the order in h of the error that smaller steps remove (limits.h). Similar
+/// motions have a common table, such as motions in which bodies move, rest or hang.
 std::string table_of_limits(const std::vector<MotionMeasured>& all);
 
-/// The speed, height and error that a body lifts off with by the relaxed law, and what remains of MuJoCo's error.
+/// The speed, height and error of the first hop by the relaxed law, and the remaining error of MuJoCo.
 std::string table_of_hops(const std::vector<MotionMeasured>& all);
 
-// What docs/methods.md shows: methods of the literature, and ours beside them.
+// The contents of docs/methods.md, methods of the literature compared with ours.
 
-/// Ours first.
+/// The names of the compared methods, ours first.
 const std::vector<std::string>& compared_methods();
-/// Error against time, the front of each of them in its own colour, from what all engines have measured of one motion.
+/// Error against time, with the front of each compared method in its own colour, from the measurements of all engines for one motion.
 Panel fronts_of_compared(const MotionMeasured& measured);
-/// Errors, mm, a row a method and a column a motion, in so many substeps and sweeps; of methods without sweeps in so many substeps.
+/// A table of errors (mm) with a row per method and a column per motion, for these numbers of substeps and sweeps. Methods without sweeps
+/// have the same number of substeps.
 std::string table_of_errors(const std::vector<MotionMeasured>& all, int substeps, int sweeps);
-/// The least time for 1/60 s with a robust error of at most `error`, m, and its setting, likewise.
+/// A table of the same form, with the least time for 1/60 s with a robust error of at most `error` (m), and its setting.
 std::string table_of_times(const std::vector<MotionMeasured>& all, double error);
 
-/// Where, of what and under what load was measured: without these a time says nothing.
+/// The machine, the versions and the load of the measurement, without which a time is meaningless.
 struct MachineReport {
   std::string load_before, load_after;
   std::chrono::duration<double> took;
-  std::vector<std::string> versions;  ///< of the engines, in their order
-  int resumed = 0;                    ///< motions that were measured before, by a run that was ended
+  std::vector<std::string> versions;  ///< of the engines, in the same order
+  int resumed = 0;                    ///< number of motions that an earlier, interrupted run had measured
 };
-/// The machine and the engines, and how many settings of each were tried.
+/// The machine, the engines, and the number of settings tried for each.
 std::string table_of_machine(const MachineReport& run, const std::vector<Engine>& engines, const AllMeasured& all);
 
 }  // namespace pushback::study

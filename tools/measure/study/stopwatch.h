@@ -1,4 +1,4 @@
-/// Time that is this program's own.
+/// Measures the time of this program without the time of others.
 #pragma once
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 
 namespace pushback {
 
-/// Runs between go and stop, and at no other time. Of each stretch it counts the wall's time or this thread's own, whichever
-/// is less: another program's turn is in the first only, what it costs to ask (some 0.2 us) in the second.
+/// Runs between go and stop. For each interval it counts the wall time or the CPU time of this thread, whichever is less. Only the wall
+/// time includes the time of other programs, and only the CPU time includes the cost of its own query (about 0.2 us).
 class Stopwatch {
  public:
   void go() {
