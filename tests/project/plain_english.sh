@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 
 limit=12
-most_in_comments=277
+most_in_comments=60
 list=""
 if [[ ${1:-} == --list ]]; then list=1 && shift; fi
 pages=("$@")
