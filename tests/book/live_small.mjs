@@ -1,4 +1,4 @@
-/// Figures that a reader works: a step that is solved row by row, and a guess that is dragged into a small picture.
+/// Figures that a reader works: a step that is solved row by row, and a guess that is dragged or drawn into a small picture.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { address, launch, newPage } from "./support/browser.mjs";
@@ -97,7 +97,7 @@ test("a guess is dragged or set by keys; played, it is right or wrong in numbers
   for (let i = 0; i < 66; ++i) await page.keyboard.press("ArrowRight");
   assert.equal(await verdict(), "You: 600 mm. It is 631 mm. ✓ Right.");
   const another = async (opened) => {
-    const next = opened.locator("figure.small-live").nth(1);
+    const next = opened.locator("figure.small-live", { has: opened.getByRole("slider") }).nth(1);
     await next.scrollIntoViewIfNeeded();
     await opened.waitForFunction((input) => !input.disabled, await next.getByRole("slider").elementHandle());
     await next.getByRole("slider").fill("1");
@@ -110,3 +110,71 @@ test("a guess is dragged or set by keys; played, it is right or wrong in numbers
   assert.deepEqual(page.wrong, []);
   await page.close();
 });
+
+/// In each chapter the truth as a formula of the time, s, what a reader may take it for, and how far that is off, at least and at most.
+const climbs = (t) => {
+  const k = [0.64, 1.97, 9].findIndex((lands) => t < lands);
+  return [2, 2.15, 2.47][k] - 4.905 * (t - [0, 1.31, 2.67][k]) ** 2;
+};
+const curves = {
+  "03_baumgarte": { seconds: 0.25, right: (t) => 60 * 0.8 ** (60 * t), wrong: () => 60, off: [48, 58] },
+  "04_slop": { seconds: 1, right: () => 8, wrong: (t) => 8 + 12 * t, off: [11, 12.5] },
+  "05_restitution": { seconds: 3, right: climbs, wrong: (t) => 2 - 0.5 * t, off: [1.2, 1.9] },
+};
+for (const [chapter, { seconds, right, wrong, off }] of Object.entries(curves))
+  test(`${chapter}: a curve is drawn into an empty plot; played, the truth is over it, and it is right or wrong by a number`, async () => {
+    const hasTouch = chapter === "04_slop";
+    const page = await newPage(browser, { hasTouch });
+    const finger = hasTouch && (await page.context().newCDPSession(page));
+    await page.goto(address(`chapters/${chapter}/index.html`));
+    const figure = page.locator("figure.draws");
+    await figure.scrollIntoViewIfNeeded();
+    await figure.locator("button:enabled").waitFor();
+    await figure.evaluate((one) => one.scrollIntoView({ block: "center" }));
+    const told = () => figure.locator("figcaption output").textContent();
+    const plot = figure.locator(".u-over");
+    const { from, to } = await figure.evaluate((one) => JSON.parse(one.dataset.clip).curve);
+    /** How many pixels of the plot have the truth's colour. */
+    const truth = () =>
+      figure.evaluate((one) => {
+        const canvas = one.querySelector(".u-wrap canvas"),
+          { colour } = JSON.parse(one.dataset.clip).curve;
+        const pen = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d");
+        pen.drawImage(canvas, 0, 0);
+        const { data } = pen.getImageData(0, 0, canvas.width, canvas.height);
+        const wanted = [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16));
+        return data.filter((_, i) => i % 4 === 0 && wanted.every((c, k) => Math.abs(data[i + k] - c) < 8)).length;
+      });
+    const draw = async (curve, part = 1) => {
+      const box = await plot.boundingBox();
+      const at = (i) => [
+        box.x + (box.width * part * i) / 100,
+        box.y + box.height * (1 - (curve((seconds * part * i) / 100) - from) / (to - from)),
+      ];
+      const touch = (type, ...points) =>
+        finger.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
+      if (finger) await touch("touchStart", at(0));
+      else await page.mouse.move(...at(0)).then(() => page.mouse.down());
+      for (let i = 1; i <= 100; ++i) await (finger ? touch("touchMove", at(i)) : page.mouse.move(...at(i)));
+      await (finger ? touch("touchEnd") : page.mouse.up());
+    };
+    const verdict = async () => {
+      await figure.getByRole("button", { name: "Play" }).click();
+      await page.waitForFunction((one) => /✓|✗|No verdict/.test(one.textContent), await figure.elementHandle());
+      return told();
+    };
+    assert.match(await told(), /^Draw it from the left edge to the right\. Right: at most [\d.]+\s\S+ off/);
+    await draw(wrong, 0.4);
+    assert.match(await told(), /^Draw it from the left/);
+    assert.match(await verdict(), /^No verdict/);
+    await draw(wrong);
+    assert.equal(await truth(), 0, "nothing of the truth is seen while somebody draws");
+    assert.match(await told(), /^Now play/);
+    const [, amount] = /^Your curve is up to ([\d.]+).*✗ Wrong: up to/.exec(await verdict());
+    assert.ok(Number(amount) >= off[0] && Number(amount) <= off[1], amount);
+    assert.ok((await truth()) > 100, "the truth is drawn");
+    await draw(right);
+    assert.match(await verdict(), /✓ Right/);
+    assert.deepEqual(page.wrong, []);
+    await page.close();
+  });
