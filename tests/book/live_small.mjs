@@ -28,24 +28,48 @@ async function rowsOf(chapter) {
 
 test("each click solves the next contact: chapter 02's table, where a correction is negative and its sum is not", async () => {
   const { page, figure, solve, labels, said, picture } = await rowsOf("02_clamping");
-  assert.deepEqual(await labels(), Array(2).fill("Σλ 0 N s\n↓ 1 m/s"));
+  assert.deepEqual(await labels(), ["Σλ₁ 0 N s\n↓ 1 m/s", "Σλ₂ 0 N s\n↓ 1 m/s"]);
   const begun = await picture();
   await solve(1);
-  assert.deepEqual(await labels(), ["Σλ 0.769 N s\n0 m/s", "Σλ 0 N s\n↓ 0.462 m/s"]);
+  assert.deepEqual(await labels(), ["Σλ₁ 0.769 N s\n0 m/s", "Σλ₂ 0 N s\n↓ 0.462 m/s"]);
   assert.notEqual(await picture(), begun, "the arrow grows");
   await solve(1);
-  assert.deepEqual(await labels(), ["Σλ 0.769 N s\n↑ 0.249 m/s", "Σλ 0.355 N s\n0 m/s"]);
+  assert.deepEqual(await labels(), ["Σλ₁ 0.769 N s\n↑ 0.249 m/s", "Σλ₂ 0.355 N s\n0 m/s"]);
   await solve(1);
-  assert.equal(await said(), "Sweep 2: the impulse goes from 0.769 to 0.578 N s, a correction of −0.191 N\u00a0s.");
+  assert.equal(
+    await said(),
+    "Sweep 2, row 1: the impulse goes from 0.769 to 0.578\u00a0N\u00a0s, a correction of −0.191\u00a0N\u00a0s.",
+  );
   await figure.getByRole("radio", { name: "each correction" }).check();
-  assert.equal(await said(), "Sweep 2: the impulse goes from 0.769 to 0.769 N s, a correction of 0 N\u00a0s.");
+  assert.equal(
+    await said(),
+    "Sweep 2, row 1: the impulse goes from 0.769 to 0.769\u00a0N\u00a0s, a correction of 0\u00a0N\u00a0s.",
+  );
   assert.deepEqual(page.wrong, []);
   await page.close();
 });
 
 test("row by row, a bound of friction grows with its normal impulse, and a warm start has the load before the first row", async () => {
   const rubbing = await rowsOf("06_friction");
-  await rubbing.solve(7);
+  /** Left, right and height of what has one of the two colours of impulses, in parts of the picture's height from its middle. */
+  const arrows = (violet) =>
+    rubbing.figure.locator("canvas").evaluate((canvas, violet) => {
+      const { width, height } = canvas,
+        { data } = canvas.getContext("2d").getImageData(0, 0, width, height),
+        found = [];
+      for (let i = 0; i < data.length; i += 4)
+        if (data[i + 2] > 170 && data[i + (violet ? 1 : 0)] < 70 && data[i + (violet ? 0 : 1)] > 80)
+          found.push([(i / 4) % width, Math.floor(i / 4 / width)]);
+      const [x, y] = [0, 1].map((axis) => found.map((one) => one[axis]));
+      return [Math.min(...x) - width / 2, Math.max(...x) - width / 2, Math.max(...y) - Math.min(...y)].map(
+        (p) => p / height,
+      );
+    }, violet);
+  await rubbing.solve(1);
+  assert.ok((await arrows(false))[2] > 0.09, "the first impulse is seen");
+  await rubbing.solve(6);
+  const [left, right, high] = await arrows(true);
+  assert.ok(left > -0.16 && right < 0.16 && right - left > 0.035 && high > 0.01, "friction is seen, beside no label");
   assert.match((await rubbing.labels())[0], /Σλₙ 0.4 N s.*Σλₜ −0.2 N s\nlimit ±0.2\n/s);
   await rubbing.figure.getByRole("button", { name: "Play" }).click();
   await rubbing.page.waitForFunction(() =>
