@@ -170,7 +170,7 @@ int main(int argc, char** argv) {
 
     // Three boxes that land while they slide, in one step.
     e.rows("bounded by μ Σλₙ", [h] {
-      return row_by_row(on_two_corners(3, Vec3::Constant(Real(0.5)), 1, {1, -1, 0}, Real(0.5)), After{}, h, 8);
+      return row_by_row(on_two_corners(3, Vec3::Constant(Real(0.5)), 1, {1, -1, 0}, Real(0.5)), After{}, h, 2);
     });
 
     e.study([&e, push, stop, h] {

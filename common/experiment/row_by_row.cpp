@@ -65,7 +65,8 @@ bool matters(const RowByRow& all, std::size_t row) {
 /// The lines beside a contact, each with its style.
 std::string label_of(const RowByRow& all, const RowByRow::State& state, std::size_t contact) {
   const std::size_t contacts = state.world.contacts.size();
-  const char* const normal = state.rows.size() > contacts ? "Σλₙ" : "Σλ";
+  const char* const numbered = contacts != 2 ? "Σλ" : contact == 0 ? "Σλ₁" : "Σλ₂";
+  const char* const normal = state.rows.size() > contacts ? "Σλₙ" : numbered;
   std::vector<std::string> lines;
   const auto add = [&lines](const char* style, const std::string& text) {
     lines.push_back(fmt::format(R"(["{}", "{}"])", style, text));
@@ -95,8 +96,8 @@ std::string sentence_of(const RowByRow& all, std::size_t index) {
   if (rubs && std::abs(change(row - 1)) > std::abs(change(row))) --row;  // of the two tangents
   const std::size_t turns = contacts * (state.rows.size() > contacts ? 2 : 1);
   const Real largest = largest_impulse(all);
-  return fmt::format("Sweep {}: {} goes from {} to {} N s, a correction of {} N s.", (index - 1) / turns + 1,
-                     rubs ? "friction" : "the impulse", rounded(before[row].impulse, largest),
+  return fmt::format("Sweep {}, row {}: {} goes from {} to {} N s, a correction of {} N s.", (index - 1) / turns + 1,
+                     (index - 1) % turns + 1, rubs ? "friction" : "the impulse", rounded(before[row].impulse, largest),
                      rounded(state.rows[row].impulse, largest), rounded(change(row), largest));
 }
 
@@ -128,15 +129,29 @@ Picture RowByRow::picture(std::size_t state, const Camera& camera) const {
   const Real front = std::get<Box>(drawn.bodies.back().shape).half_extents.z() + Real(0.05);
   for (Contact& contact : drawn.contacts) contact.point.z() = front;
   Picture picture = picture_of(drawn, camera, Real(0.95) / largest_impulse(*this));
-  for (Arrow& impulse : picture.arrows) impulse.thickness *= 2;
+  const Real unit = camera.height_at(Vec3(0, 0, front));
+  const auto across = [](const Vec3& way) { return std::abs(way.y()) < std::abs(way.x()); };
+  for (Arrow& impulse : picture.arrows) {
+    impulse.thickness *= 2;
+    if (!across(impulse.tip - impulse.tail)) continue;
+    const Vec3 up(0, Real(0.025) * unit, 0), way = impulse.tip - impulse.tail;  // not in the ground
+    if (way.x() * impulse.tail.x() > 0) impulse.tip = impulse.tail, impulse.tail -= way;
+    impulse.tail += up;
+    impulse.tip += up;
+  }
   for (Dot& dot : picture.dots) dot.radius *= Real(0.6);
   for (const Row& row : states[state].rows) {
     if (row.error < speed / 1000) continue;
     const Vec3& point = drawn.contacts[row.contact].point;
-    const Real height = camera.height_at(point);
-    const Vec3 beside(Real(point.x() < 0 ? -0.04 : 0.04) * height, 0, 0);
-    Vec3 tail = point + beside, tip = tail + Real(0.21) * height * row.error / speed * row.direction;
-    if (row.speed < 0) std::swap(tail, tip);
+    // Beside the contact. Along a surface it is over the body, because the labels are outside.
+    const bool along = across(row.direction);
+    const Real outward = (point.x() < 0 ? -Real(0.04) : Real(0.04)) * unit;
+    const Vec3 from = point + (along ? Vec3(-outward, Real(0.065) * unit, 0) : Vec3(outward, 0, 0));
+    Vec3 way = (along ? Real(0.1) : Real(0.21)) * unit * row.error / speed * row.direction;
+    const bool turned = along && way.x() * outward > 0;
+    if (turned) way = -way;
+    Vec3 tail = from, tip = from + way;
+    if ((row.speed < 0) != turned) std::swap(tail, tip);
     picture.arrows.push_back({tail, tip, 2 * arrow_thickness(camera, point), body_colour(4)});
   }
   return picture;

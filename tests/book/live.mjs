@@ -377,6 +377,7 @@ test("marks that ask for what does not exist are refused", async () => {
   refused({ number: "nosuch" }, /there is no number nosuch/);
   refused({ colour: "red" }, /nothing is called colour/);
   refused({ number: "highest jump", guess: "0 up 0", within: "1" }, /up is no number/);
+  refused({ draw: "nosuch" }, /there is no series nosuch/);
   assert.throws(() => stepsOf({ of: "cold|hot" }, ["cold", "warm"]), /there is no step hot; there are cold, warm/);
   engine.set("");
   assert.throws(() => stateOf({ scene: "gravity", at: "99" }, engine), /99 s is not within the scene's/);

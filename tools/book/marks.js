@@ -26,15 +26,17 @@
 ///   number    one of the scene's numbers; `says`: what the sentence says it is, which a test compares
 ///   guess     the direction, in world axes, in which a reader drags the first body that moves to the `number` at the clip's end,
 ///             between `from` and `to`, `zero` is the number where the body begins, and a guess `within` so much is right
+///   draw      instead of that the series, in `unit`, that a reader draws as a curve, between `from` and `to`, before the clip plays
 ///   slider    the parameter that a reader sets, as `label` calls it; `from`, `to`, `step` where its own range is not meant
 ///   seconds   how long the clip is, of simulated time; `slow`: how many times slower it is shown; `words`: its caption
 ///   asks      what numbers have to be at the end, with | between them: <=, >= or = with a value (± another) and its unit
 ///   score     a parameter, or it "/ dt", per second, or "1 / dt"; or a number, or by how much it differs: "highest jump - 500";
 ///             `best="most"` where the greater one is better; `ours`: the best that we know, and its score, `scored`
+import { withUnits } from "./markdown.js";
 import { escaped } from "./sources.js";
 
 const known = {
-  live: "scene variants values slider label from to step seconds slow number says words aspect zoom guess zero within",
+  live: "scene variants values slider label from to step seconds slow number says words aspect zoom guess draw unit zero within",
   clip: "chapter scene variants values seconds slow zoom words",
   set: "scene variants values at number says",
   challenge: "key chapter scene variant variants values set asks score best unit ours scored",
@@ -107,6 +109,13 @@ export function clipOf(asked, engine, kind = "live") {
   let slider = null;
   const zero = number("zero", 0);
   const guess = asked.guess && { axis: asked.guess.split(" ").map(valueOf), zero, within: valueOf(asked.within) };
+  let curve = null;
+  if (asked.draw !== undefined) {
+    const series = find(scene.series, "name", asked.draw, "series"),
+      { unit, name } = scene.series[series];
+    curve = { which: series, name, unit: unit || (asked.unit ?? ""), colour: scene.variants[places[0]].colour };
+    Object.assign(curve, { from: valueOf(asked.from), to: valueOf(asked.to), within: valueOf(asked.within) });
+  }
   if (guess || asked.slider !== undefined) {
     const guessed = { what: "your guess", least: -Infinity, most: Infinity, default: [zero], ...scene.numbers[which] };
     const {
@@ -129,6 +138,7 @@ export function clipOf(asked, engine, kind = "live") {
   return {
     scene: index,
     guess,
+    curve,
     places,
     assignments,
     slider,
@@ -229,13 +239,14 @@ function figure(clip, page, turns = false) {
     : turns
       ? `<label class="mended"><input type="checkbox" aria-label="fixed: ${escaped(words)}" disabled> fixed</label>`
       : "";
-  const output = clip.number ? `<output aria-live="${clip.guess ? "polite" : "off"}"></output>` : "";
+  const guessed = clip.guess || clip.curve;
+  const output = clip.number || guessed ? `<output aria-live="${guessed ? "polite" : "off"}"></output>` : "";
   return (
-    `<figure class="small-live${turns ? " turns" : ""}" data-chapter="${page.live}" data-root="${page.root}" data-clip="${escaped(JSON.stringify(clip))}">` +
+    `<figure class="small-live${turns ? " turns" : clip.curve ? " draws" : ""}" data-chapter="${page.live}" data-root="${page.root}" data-clip="${escaped(JSON.stringify(clip))}">` +
     `<canvas role="img" aria-label="${escaped([words, ...names].join("; "))}" style="aspect-ratio: ${turns ? 1.5 : aspect}"></canvas>` +
     (names.length > 1 && !turns ? `<div class="small-lanes">${lanes}</div>` : "") +
     `<div class="small-controls"><button type="button" aria-label="Play: ${escaped(words)}" disabled>${icons}</button>${set}</div>` +
-    `${turns ? "" : `<figcaption>${escaped(words)}${output}</figcaption>`}</figure>\n`
+    `${turns ? "" : `<figcaption>${escaped(withUnits(words))}${output}</figcaption>`}</figure>\n`
   );
 }
 

@@ -65,7 +65,8 @@
       this.number = figure.querySelector("figcaption output");
       this.time = this.mended && live.stillness() ? this.clip.seconds : 0; // s, of the clip
       this.drawn = null; // the step that is seen
-      this.guess = this.clip.guess && new live.Guess(this);
+      const { guess, curve } = this.clip;
+      this.guess = curve ? new live.DrawnGuess(this) : guess && new live.Guess(this);
       this.begun = Boolean(this.guess);
       this.inSight = false;
       this.button.addEventListener("click", () => (this.playing ? this.pause() : this.play()));
