@@ -24,6 +24,12 @@ Real PlacedPolyhedron::highest(const Vec3& n) const {
   return -lowest(-n);
 }
 
+Real PlacedPolyhedron::inner_radius() const {
+  Real least = std::numeric_limits<Real>::max();
+  for (const Polyhedron::Face& face : solid.faces) least = std::min(least, face.offset);
+  return least;
+}
+
 int face_below(const PlacedPolyhedron& hull, const Vec3& n, Real clearly) {
   std::array<Real, most_corners> heights;
   const std::size_t corners = hull.solid.corners.size();
@@ -64,14 +70,15 @@ bool pass_each_other(const PlacedPolyhedron& hull, const FaceDepths& depths, con
   return false;
 }
 
-/// False if a face of `hull` has all of `other` beyond it. The overlap is at least the depth of the centre of `other`, which lies inside
-/// `other`. If that is so much that the face neither gives the normal nor lets the hulls pass, it stands for the overlap.
+/// False if a face of `hull` has all of `other` beyond it. The overlap is at least the depth of the ball that fits into `other` round its
+/// centre. If that is so much that the face neither gives the normal nor lets the hulls pass, it stands for the overlap.
 bool try_faces(const HullPair& pair, bool of_b, FaceDepths& depths, HullFace& best) {
   const PlacedPolyhedron &hull = of_b ? pair.b : pair.a, &other = of_b ? pair.a : pair.b;
+  const Real ball = other.inner_radius();
   for (int f = 0; f < int(hull.solid.faces.size()); ++f) {
     const Vec3& n = hull.normal(f);
     Real& depth = depths[std::size_t(f)];
-    depth = n.dot(hull.on(f) - other.centre);
+    depth = n.dot(hull.on(f) - other.centre) + ball;
     if (depth > std::max(pair.clearly, best.depth)) continue;
     depth = n.dot(hull.on(f)) - other.lowest(n);
     if (depth < -pair.rounding - pair.margin) return false;

@@ -26,6 +26,7 @@ struct PlacedPolyhedron {
   }
   Real lowest(const Vec3& n) const;   ///< the least n . corner
   Real highest(const Vec3& n) const;  ///< the largest
+  Real inner_radius() const;          ///< m, of the largest ball round the centre
 };
 
 /// The incident face for a reference face's normal n. Among the faces that contain the lowest corner along n, it is the one whose

@@ -62,7 +62,7 @@ class HalfStep : public StepSolver, public HalfStepSettings {
   int halvings() const { return motion_.halvings(); }
   /// The rounds of Newton's method in all substeps. 0 if contacts carry the same loads as before.
   int rounds() const { return motion_.rounds(); }
-  /// Whether a single matrix of contacts would have taken more than `most_work`.
+  /// Whether a single matrix of contacts would have taken more than an eighth of `most_work`.
   bool too_large() const { return motion_.contacts.too_large(); }
   /// The approximate multiplications of all systems and sweeps, including a step that failed.
   double work() const { return motion_.work(); }

@@ -14,6 +14,7 @@ namespace {
 constexpr bool in_doubles = std::numeric_limits<Real>::digits > 24;
 constexpr Real level = in_doubles ? Real(1e-11) : Real(1e-6);  // m: a gap that is rounding of places, and stays
 constexpr Real creeps = in_doubles ? Real(1e-9) : Real(1e-4);  // m/s; a slower contact sticks
+constexpr double least_matrices = 8;  // a cold start takes ten to twenty matrices
 constexpr Real solved = in_doubles ? Real(1e-6) : Real(1e-3);  // m/s
 
 /// Along the normal and both tangents.
@@ -65,7 +66,8 @@ void HeldContacts::look(const World& world) {
 }
 
 void HeldContacts::begin(const World& world) {
-  newton_.work = newton_.largest = most_work;
+  newton_.work = most_work;
+  newton_.largest = most_work / least_matrices;
   newton_.near = 1e-3;
   newton_.forget();
   newton_.factored = 0;
@@ -120,8 +122,9 @@ bool HeldContacts::solve(World& world, Real h) {
     stage_.read_rows(world);
   } while (stage_.release_reversed(world));
   if (stage_.residual(world) <= direct_.fallback_tolerance) return true;
-  if (fall_back_to_full_solve) return solve_from_nothing(world, h);
-  failure_ = fmt::format("{} contacts are not solved from what they bore", stage_.size());
+  if (fall_back_to_full_solve && !newton_.too_large) return solve_from_nothing(world, h);
+  failure_ = newton_.too_large ? WarmDirectContacts::too_large_message(stage_.size())
+                               : fmt::format("{} contacts are not solved from what they bore", stage_.size());
   return false;
 }
 

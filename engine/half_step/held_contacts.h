@@ -96,7 +96,7 @@ class HeldContacts {
 
   /// The number of matrices factored since `begin`. 0 if the guess was the solution.
   int factored() const { return newton_.factored; }
-  /// Whether the first matrix since `begin` would have taken more than most_work, so that it was not made.
+  /// Whether the first matrix since `begin` would have taken more than an eighth of most_work, so that it was not made.
   bool too_large() const { return newton_.too_large && newton_.factored == 0; }
   /// The multiplications that count towards most_work.
   double work_left() const { return newton_.work; }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "pushback/engine/half_step/half_step.h"
+#include "pushback/engine/islands/step_contacts.h"
 
 namespace pushback {
 
@@ -49,9 +50,9 @@ class IslandWorld {
     std::sort(bodies_.begin(), bodies_.end());
     bodies_.erase(std::unique(bodies_.begin(), bodies_.end()), bodies_.end());
   }
-  /// Adds a contact of the previous step if the island contains both of its bodies.
-  void add(const Contact& contact) { add(contact, world.contacts); }
-  void add_found(const Contact& contact) { add(contact, found); }
+  /// Adds a pair's contacts of the previous step if the island contains both bodies.
+  void add(PairContacts between) { add(between, world.contacts); }
+  void add_found(PairContacts between) { add(between, found); }
   void take(Joint& joint, std::size_t index) {
     Joint& taken = world.joints.emplace_back(std::move(joint));
     for (int* body : {&taken.a, &taken.b})
@@ -104,12 +105,15 @@ class IslandWorld {
  private:
   static constexpr int nowhere = -2;  // and -1 is the_world
 
-  void add(const Contact& contact, Contacts& contacts) const {
-    const int a = here(static_cast<int>(contact.id.body_a)), b = here(static_cast<int>(contact.id.body_b));
+  void add(PairContacts between, Contacts& contacts) const {
+    const ContactId& id = between.front().id;
+    const int a = here(static_cast<int>(id.body_a)), b = here(static_cast<int>(id.body_b));
     if (a == nowhere || b == nowhere) return;
-    contacts.push_back(contact);
-    contacts.back().id.body_a = static_cast<std::uint32_t>(a);
-    contacts.back().id.body_b = static_cast<std::uint32_t>(b);
+    for (const Contact& contact : between) {
+      contacts.push_back(contact);
+      contacts.back().id.body_a = static_cast<std::uint32_t>(a);
+      contacts.back().id.body_b = static_cast<std::uint32_t>(b);
+    }
   }
   int here(int body) const {
     const auto at = std::lower_bound(bodies_.begin(), bodies_.end(), body);

@@ -39,20 +39,20 @@ IslandWorld* IslandWorlds::island_of(const Body& a, const Body& b, StepClassifie
 void IslandWorlds::divide(World& world, StepClassifier& classifier, const Contacts& found) {
   add_bodies(world, classifier);
   if (count_ == 0) return;
-  for (const Contact& contact : found) {
-    const auto [a, b] = world.bodies_of(contact);
-    if (a.movable() && b.movable()) continue;
+  each_pair(found, [&](PairContacts between) {
+    const auto [a, b] = world.bodies_of(between.front());
+    if (a.movable() && b.movable()) return;
     if (IslandWorld* island = island_of(a, b, classifier)) island->add((a.movable() ? b : a).index);
-  }
+  });
   for (const Joint& joint : world.joints)
     if (IslandWorld* island = island_of(world.body(joint.a), world.body(joint.b), classifier))
       for (const int body : {joint.a, joint.b})
         if (body != the_world) island->add(body);
   for (std::size_t i = 0; i < count_; ++i) islands_[i].sort();
-  for (const Contact& contact : world.contacts) {
-    const auto [a, b] = world.bodies_of(contact);
-    if (IslandWorld* island = island_of(a, b, classifier)) island->add(contact);
-  }
+  each_pair(world.contacts, [&](PairContacts between) {
+    const auto [a, b] = world.bodies_of(between.front());
+    if (IslandWorld* island = island_of(a, b, classifier)) island->add(between);
+  });
   for (std::size_t i = 0; i < world.joints.size(); ++i) {
     Joint& joint = world.joints[i];
     if (IslandWorld* island = island_of(world.body(joint.a), world.body(joint.b), classifier)) island->take(joint, i);
@@ -60,12 +60,11 @@ void IslandWorlds::divide(World& world, StepClassifier& classifier, const Contac
 }
 
 void IslandWorlds::give_found(const World& world, StepClassifier& classifier, const Contacts& found) {
-  for (const Contact& contact : found) {
-    const auto [a, b] = world.bodies_of(contact);
-    const int moving = (a.movable() ? a : b).index;
-    if (!classifier.is_moved_by_fast(moving) || contact.id.feature == no_feature) continue;
-    if (IslandWorld* island = island_of(a, b, classifier)) island->add_found(contact);
-  }
+  each_pair(found, [&](PairContacts between) {
+    const auto [a, b] = world.bodies_of(between.front());
+    if (!classifier.is_moved_by_fast((a.movable() ? a : b).index) || between.front().id.feature == no_feature) return;
+    if (IslandWorld* island = island_of(a, b, classifier)) island->add_found(between);
+  });
 }
 
 void IslandWorlds::give_joints(World& world) {
@@ -74,11 +73,23 @@ void IslandWorlds::give_joints(World& world) {
 
 void IslandWorlds::commit(World& world, Real fraction) const {
   const auto lower = [](const Contact& first, const Contact& second) { return first.id < second.id; };
-  const auto others = static_cast<std::ptrdiff_t>(world.contacts.size());
-  for (std::size_t i = 0; i < count_; ++i)
-    if (islands_[i].held) islands_[i].give(world, fraction);
-  std::sort(world.contacts.begin() + others, world.contacts.end(), lower);
-  std::inplace_merge(world.contacts.begin(), world.contacts.begin() + others, world.contacts.end(), lower);
+  Contacts& contacts = world.contacts;
+  std::vector<std::size_t> ends{0, contacts.size()};  // of runs in the order of ids: the other contacts, then those of each island
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (!islands_[i].held) continue;
+    islands_[i].give(world, fraction);
+    if (contacts.size() > ends.back()) ends.push_back(contacts.size());
+  }
+  const auto at = [&](std::size_t end) { return contacts.begin() + static_cast<std::ptrdiff_t>(end); };
+  while (ends.size() > 2) {  // neighbouring runs become one
+    std::size_t kept = 1;
+    for (std::size_t i = 2; i < ends.size(); i += 2) {
+      std::inplace_merge(at(ends[i - 2]), at(ends[i - 1]), at(ends[i]), lower);
+      ends[kept++] = ends[i];
+    }
+    if (ends.size() % 2 == 0) ends[kept++] = ends.back();
+    ends.resize(kept);
+  }
   world.last_impulses_known = true;
 }
 

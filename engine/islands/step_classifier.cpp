@@ -5,6 +5,7 @@
 
 #include "pushback/engine/direct/joint_graph.h"
 #include "pushback/engine/half_step/gap.h"
+#include "pushback/engine/islands/step_contacts.h"
 
 namespace pushback {
 
@@ -56,13 +57,14 @@ Corner first_to_get(const Body& body, const Vec3& direction, Real dt) {
 std::vector<int> layers_of(const World& world, const Contacts& contacts) {
   std::vector<std::pair<int, int>> above;  // of each pair that touches, both ways
   std::vector<int> layers(world.bodies.size(), 0), next;
-  for (const Contact& contact : contacts) {
-    if (-contact.depth > nearly_touching) continue;
-    const auto [a, b] = world.bodies_of(contact);
+  each_pair(contacts, [&](PairContacts between) {
+    const auto touches = [](const Contact& at) { return -at.depth <= nearly_touching; };
+    if (std::none_of(between.begin(), between.end(), touches)) return;
+    const auto [a, b] = world.bodies_of(between.front());
     if (a.movable() && b.movable()) above.insert(above.end(), {{a.index, b.index}, {b.index, a.index}});
     else if (int& layer = layers[std::size_t((a.movable() ? a : b).index)]; layer == 0)
       layer = 1, next.push_back((a.movable() ? a : b).index);
-  }
+  });
   std::sort(above.begin(), above.end());
   for (std::size_t i = 0; i < next.size(); ++i) {
     const int body = next[i];
@@ -123,35 +125,28 @@ void StepClassifier::classify(const World& world, const Contacts& contacts, Real
 
 void StepClassifier::read_contacts(const World& world, const Contacts& contacts, Real dt, Real threshold) {
   const Real falls = dt * world.gravity.norm();
-  const auto each_pair = [&](const auto& act) {
-    for (auto first = contacts.begin(); first != contacts.end();) {
-      const auto end = std::find_if(first, contacts.end(), [&first](const Contact& at) {
-        return at.id.body_a != first->id.body_a || at.id.body_b != first->id.body_b;
-      });
-      const auto [a, b] = world.bodies_of(*first);
-      act(of_movable(a, b), first, end);
-      first = end;
-    }
-  };
-  each_pair([&world](Island& island, auto first, auto end) {
+  each_pair(contacts, [&](PairContacts between) {
+    const auto [a, b] = world.bodies_of(between.front());
+    Island& island = of_movable(a, b);
     ++island.near;
-    const auto [a, b] = world.bodies_of(*first);
     const Body& ground = a.movable() ? b : a;
     if (ground.movable()) return;
-    if (std::any_of(first, end, [&ground](const Contact& at) { return turns_or_pushes(ground, at); }))
+    if (std::any_of(between.begin(), between.end(), [&ground](const Contact& at) { return turns_or_pushes(ground, at); }))
       island.refuse(StepReason::moving_surface, ground.index);
     const Vec3 goes = ground.conveys ? Vec3::Zero() : ground.velocity;
     if (island.ground_velocity.value_or(goes) != goes) island.refuse(StepReason::unequal_grounds, ground.index);
     island.ground_velocity = goes;
   });
-  each_pair([&](Island& island, auto first, auto end) {
-    const Contact& nearest =
-        *std::max_element(first, end, [](const Contact& p, const Contact& q) { return p.depth < q.depth; });
+  each_pair(contacts, [&](PairContacts between) {
+    const Contact& nearest = *std::max_element(
+        between.begin(), between.end(), [](const Contact& p, const Contact& q) { return p.depth < q.depth; });
+    const auto [a, b] = world.bodies_of(nearest);
+    Island& island = of_movable(a, b);
     int acting = 0;
-    for (; first != end; ++first) {
-      const Real gap = -first->depth, approach = -separating_speed(world, *first);
+    for (const Contact& at : between) {
+      const Real gap = -at.depth, approach = -separating_speed(world, at);
       if (-gap > too_deep) island.refuse(StepReason::deep_overlap);
-      island.impact |= first->ahead;  // they meet elsewhere than where they are nearest
+      island.impact |= at.ahead;  // they meet elsewhere than where they are nearest
       island.overlap += std::max(Real(0), -gap);
       island.deepest = std::max(island.deepest, -gap);
       if (gap > dt * (std::max(Real(0), approach) + falls)) continue;
@@ -159,7 +154,6 @@ void StepClassifier::read_contacts(const World& world, const Contacts& contacts,
       // A resting contact does not arrive, because its speed is rounding.
       island.impact |= approach > threshold && (gap > apart || approach > falls);
     }
-    const auto [a, b] = world.bodies_of(nearest);
     const bool counted = acting > 0 && island.impact;
     if (!counted && corners_arrive(a, b, nearest.normal, dt, threshold, falls)) {  // where no contact is yet
       acting = std::max(acting, 1);
@@ -225,12 +219,12 @@ void StepClassifier::find_large(const World& world, const Contacts& contacts, co
     const int most = limits.most_layers * (island.was_large() ? 2 : 1);
     island.large &= layers[std::size_t(body.index)] <= most;
   }
-  for (const Contact& contact : contacts) {
-    const auto [a, b] = world.bodies_of(contact);
-    if (!a.movable() || !b.movable()) continue;
+  each_pair(contacts, [&](PairContacts between) {
+    const auto [a, b] = world.bodies_of(between.front());
+    if (!a.movable() || !b.movable()) return;
     const auto [lighter, heavier] = std::minmax(a.inverse_mass, b.inverse_mass, std::greater<>());
     at(island_of(a.index)).large &= lighter <= limits.most_ratio * heavier;
-  }
+  });
 }
 
 StepReason StepClassifier::reason_for(Island& island, const ClassifierLimits& limits) {

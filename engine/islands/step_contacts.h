@@ -1,7 +1,9 @@
 /// The contacts of a step, which determine the islands.
 #pragma once
 
+#include <algorithm>
 #include <functional>
+#include <span>
 
 #include "pushback/common/collision/margin.h"
 #include "pushback/common/world/step_solver.h"
@@ -10,6 +12,23 @@ namespace pushback {
 
 /// The feature id of a pair that is near but has no contact point.
 inline constexpr std::uint32_t no_feature = std::numeric_limits<std::uint32_t>::max();
+
+/// The contacts of two bodies, of which there is at least one.
+using PairContacts = std::span<const Contact>;
+
+/// Calls act(PairContacts) for each pair of bodies. Its contacts follow each other in `contacts`.
+template <class Act>
+void each_pair(PairContacts contacts, const Act& act) {
+  while (!contacts.empty()) {
+    const ContactId& id = contacts.front().id;
+    const auto end = std::find_if(contacts.begin(), contacts.end(), [&id](const Contact& at) {
+      return at.id.body_a != id.body_a || at.id.body_b != id.body_b;
+    });
+    const auto count = static_cast<std::size_t>(end - contacts.begin());
+    act(contacts.first(count));
+    contacts = contacts.subspan(count);
+  }
+}
 
 class StepClassifier;
 

@@ -245,7 +245,7 @@ TEST_CASE("half step: what overlaps comes out by a tenth in a hundredth of a sec
   CHECK(depth() == Approx(half_way * std::pow(1 - 10 * h, 30)).margin(10 * rounding));
 }
 
-TEST_CASE("half step: what takes more than most_work is refused, stops soon after, and nothing has changed") {
+TEST_CASE("half step: what takes more than most_work is refused, at once or soon after, and nothing has changed") {
   World begin;
   pyramid(begin, 6);
   World world = begin;
@@ -261,12 +261,19 @@ TEST_CASE("half step: what takes more than most_work is refused, stops soon afte
       bounded.fall_back_to_full_solve = from_afar;
       world = begin;
       const std::string said = complaint([&] { world.step(bounded, h); });
-      CHECK(said == (from_afar ? "144 contacts are too large a problem for the multiplications that are left"
-                               : "144 contacts are not solved from what they bore"));
+      const bool refused_at_once = part == 0.1;  // a matrix takes more than an eighth; with less, the sweeps before it take all
+      CHECK(said == (refused_at_once || from_afar
+                         ? "144 contacts are too large a problem for the multiplications that are left"
+                         : "144 contacts are not solved from what they bore"));
       CHECK(hash_of(world) == hash_of(begin));
       CHECK(world.time == 0);
-      CHECK(bounded.work() > bounded.most_work);
-      CHECK(bounded.work() < bounded.most_work + needed / 2);  // what had been begun
+      CHECK(bounded.too_large() == refused_at_once);
+      if (refused_at_once) {
+        CHECK(bounded.work() < needed / 20);
+      } else {
+        CHECK(bounded.work() > bounded.most_work);
+        CHECK(bounded.work() < bounded.most_work + needed / 2);  // what had been begun
+      }
     }
   }
   HalfStep enough;
