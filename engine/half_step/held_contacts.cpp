@@ -14,7 +14,7 @@ namespace {
 constexpr bool in_doubles = std::numeric_limits<Real>::digits > 24;
 constexpr Real level = in_doubles ? Real(1e-11) : Real(1e-6);  // m: a gap that is rounding of places, and stays
 constexpr Real creeps = in_doubles ? Real(1e-9) : Real(1e-4);  // m/s; a slower contact sticks
-constexpr double least_matrices = 8;  // a cold start takes ten to twenty matrices
+constexpr double least_matrices = 8;                           // a cold start takes ten to twenty matrices
 constexpr Real solved = in_doubles ? Real(1e-6) : Real(1e-3);  // m/s
 
 /// Along the normal and both tangents.

@@ -74,7 +74,8 @@ void IslandWorlds::give_joints(World& world) {
 void IslandWorlds::commit(World& world, Real fraction) const {
   const auto lower = [](const Contact& first, const Contact& second) { return first.id < second.id; };
   Contacts& contacts = world.contacts;
-  std::vector<std::size_t> ends{0, contacts.size()};  // of runs in the order of ids: the other contacts, then those of each island
+  std::vector<std::size_t> ends{
+      0, contacts.size()};  // of runs in the order of ids: the other contacts, then those of each island
   for (std::size_t i = 0; i < count_; ++i) {
     if (!islands_[i].held) continue;
     islands_[i].give(world, fraction);

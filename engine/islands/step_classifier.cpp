@@ -131,15 +131,16 @@ void StepClassifier::read_contacts(const World& world, const Contacts& contacts,
     ++island.near;
     const Body& ground = a.movable() ? b : a;
     if (ground.movable()) return;
-    if (std::any_of(between.begin(), between.end(), [&ground](const Contact& at) { return turns_or_pushes(ground, at); }))
+    if (std::any_of(between.begin(), between.end(),
+                    [&ground](const Contact& at) { return turns_or_pushes(ground, at); }))
       island.refuse(StepReason::moving_surface, ground.index);
     const Vec3 goes = ground.conveys ? Vec3::Zero() : ground.velocity;
     if (island.ground_velocity.value_or(goes) != goes) island.refuse(StepReason::unequal_grounds, ground.index);
     island.ground_velocity = goes;
   });
   each_pair(contacts, [&](PairContacts between) {
-    const Contact& nearest = *std::max_element(
-        between.begin(), between.end(), [](const Contact& p, const Contact& q) { return p.depth < q.depth; });
+    const Contact& nearest = *std::max_element(between.begin(), between.end(),
+                                               [](const Contact& p, const Contact& q) { return p.depth < q.depth; });
     const auto [a, b] = world.bodies_of(nearest);
     Island& island = of_movable(a, b);
     int acting = 0;
