@@ -189,7 +189,10 @@ for (const [chapter, { seconds, right, wrong, off }] of Object.entries(curves))
       await page.waitForFunction((one) => /✓|✗|No verdict/.test(one.textContent), await figure.elementHandle());
       return told();
     };
-    assert.match(await told(), /^Draw it from the left edge to the right edge\. A curve within [\d.]+\s\S+, or [\d.]+\ss early or late, is right\./);
+    assert.match(
+      await told(),
+      /^Draw it from the left edge to the right edge\. A curve within [\d.]+\s\S+, or [\d.]+\ss early or late, is right\./,
+    );
     await draw(wrong, 0.4);
     assert.match(await told(), /^Draw it from the left/);
     assert.match(await verdict(), /^No verdict/);
