@@ -137,6 +137,23 @@ test("a guess is dragged or set by keys; played, it is right or wrong in numbers
   await page.close();
 });
 
+test("a picture that comes into sight while another plays begins once that one has left", async () => {
+  const page = await newPage(browser, { reducedMotion: "no-preference", viewport: { width: 1280, height: 1000 } });
+  await page.goto(address("chapters/03_baumgarte/index.html"));
+  const [first, second] = [3, 4].map((place) => page.locator("figure.small-live").nth(place));
+  const bottom = await second.evaluate((one) => one.getBoundingClientRect().bottom + scrollY);
+  const to = (top) => page.evaluate((y) => scrollTo({ top: y, behavior: "instant" }), top);
+  const playing = async (figure) =>
+    page.waitForFunction((one) => one.classList.contains("playing"), await figure.elementHandle());
+  await first.evaluate((one) => one.scrollIntoView({ block: "center", behavior: "instant" }));
+  await playing(first);
+  await to(bottom - 1000);
+  await to((await first.evaluate((one) => one.getBoundingClientRect().bottom + scrollY)) - 60);
+  await playing(second);
+  assert.deepEqual(page.wrong, []);
+  await page.close();
+});
+
 /// In each chapter the truth as a formula of the time, s, what a reader may take it for, and how far that is off, at least and at most.
 const climbs = (t) => {
   const k = [0.64, 1.97, 9].findIndex((lands) => t < lands);

@@ -103,6 +103,7 @@
           if (!seen) {
             this.left = this.playing;
             if (this.left) this.pause();
+            this.workshop.next(); // what came into sight while this one played
           } else if (this.left) this.play();
           else this.workshop.next();
         },
