@@ -141,14 +141,18 @@ test("a picture that comes into sight while another plays begins once that one h
   const page = await newPage(browser, { reducedMotion: "no-preference", viewport: { width: 1280, height: 1000 } });
   await page.goto(address("chapters/03_baumgarte/index.html"));
   const [first, second] = [3, 4].map((place) => page.locator("figure.small-live").nth(place));
-  const bottom = await second.evaluate((one) => one.getBoundingClientRect().bottom + scrollY);
-  const to = (top) => page.evaluate((y) => scrollTo({ top: y, behavior: "instant" }), top);
+  /** Scrolls until so much lies between a picture's end and the top of the window, and its observers know. */
+  const to = (figure, pixels) =>
+    figure.evaluate(async (one, end) => {
+      scrollBy({ top: one.getBoundingClientRect().bottom - end, behavior: "instant" });
+      for (let i = 0; i < 3; ++i) await new Promise(requestAnimationFrame);
+    }, pixels);
   const playing = async (figure) =>
     page.waitForFunction((one) => one.classList.contains("playing"), await figure.elementHandle());
-  await first.evaluate((one) => one.scrollIntoView({ block: "center", behavior: "instant" }));
+  await to(first, 960);
   await playing(first);
-  await to(bottom - 1000);
-  await to((await first.evaluate((one) => one.getBoundingClientRect().bottom + scrollY)) - 60);
+  await to(second, 960);
+  await to(first, 60);
   await playing(second);
   assert.deepEqual(page.wrong, []);
   await page.close();
