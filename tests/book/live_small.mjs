@@ -152,6 +152,8 @@ test("a picture that comes into sight while another plays begins once that one h
   await to(first, 960);
   await playing(first);
   await to(second, 960);
+  await second.locator("button:enabled").waitFor(); // it is made when it comes near
+  await to(second, 960);
   await to(first, 60);
   await playing(second);
   assert.deepEqual(page.wrong, []);
