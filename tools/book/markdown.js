@@ -61,7 +61,8 @@ const afterFormula = new RegExp(`^(?:\\s${unit})?[,.;:!?)\\]”’]*`);
 /// A unit stays on the line of its number.
 export const withUnits = (text) => text.replace(beforeUnit, "$1\u00a0");
 
-/// Within a page: units, and brackets and punctuation marks stay on the line of a formula, where a browser may part them.
+/// Within a page: units, and brackets and punctuation marks stay on the line of a formula, and a short formula on one line, where a
+/// browser may part them.
 function keepTogether(children) {
   children.forEach((child, i) => {
     const [before, after] = [children[i - 1]?.content ?? "", children[i + 1]?.content ?? ""];
@@ -74,10 +75,12 @@ function keepTogether(children) {
       .find(({ nesting, content }) => nesting !== -1 && !["", "</a>"].includes(content));
     const tail = next?.type === "text" ? afterFormula.exec(next.content)[0] : "";
     const head = children[i - 1]?.type === "text" ? /[([“‘]*$/.exec(before)[0] : "";
-    if (!head && !tail) return;
+    const short = child.meta.text.length <= 10 && child.meta.html.split('class="base"').length > 2;
+    if (!head && !tail && !short) return;
     if (tail) next.content = next.content.slice(tail.length);
     if (head) children[i - 1].content = before.slice(0, -head.length);
-    const html = child.meta.html.replace(/(?<=<\/span>)(?=<span class="base">)/g, '<wbr style="white-space: normal">');
+    const parts = /(?<=<\/span>)(?=<span class="base">)/g;
+    const html = short ? child.meta.html : child.meta.html.replace(parts, '<wbr style="white-space: normal">');
     const whole = head + html + tail.replace(" ", "\u00a0");
     child.meta = { ...child.meta, html: `<span style="white-space: nowrap">${whole}</span>` };
   });

@@ -77,7 +77,8 @@ function beginning(text) {
 }
 
 function gallery({ pictures }) {
-  const once = [...new Map(pictures.map((picture) => [picture.file, picture])).values()];
+  const shown = pictures.filter(({ kind, page }) => page.part !== "Start" || kind === "drawing");
+  const once = shown.filter(({ file }, i) => shown.findIndex((one) => one.file === file) === i);
   const card = ({ page, heading, file, width, height, alt }) => {
     const to = `${page.address}${heading?.level > 1 ? `#${heading.id}` : ""}`;
     return (
@@ -91,9 +92,7 @@ function gallery({ pictures }) {
     { id: "drawings", text: "Figures", kind: "drawing" },
   ];
   const html = parts.map(({ id, text, kind }) => {
-    const cards = once
-      .filter((one) => one.kind === kind && (one.page.part !== "Start" || kind === "drawing"))
-      .map(card);
+    const cards = once.filter((one) => one.kind === kind).map(card);
     return `<h2 id="${id}">${text}</h2>\n<ul class="gallery ${id}">\n${cards.join("\n")}\n</ul>`;
   });
   return {

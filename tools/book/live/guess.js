@@ -21,18 +21,13 @@
       const { picture, zero, perMetre } = this,
         { engine, slider, canvas } = picture,
         { from, step } = picture.clip.slider;
-      this.placed();
+      picture.rewind();
       picture.take();
       const aspect = canvas.clientWidth / canvas.clientHeight;
       engine.look(picture.camera(aspect));
       const [x, y] = [(2 * offsetX) / canvas.clientWidth - 1, 1 - (2 * offsetY) / canvas.clientHeight];
       slider.value = Math.round((zero + perMetre * engine.way(this, aspect, x, y) - from) / step);
       picture.slide();
-    }
-    /** From the start again: nothing of the truth is seen before the guess is placed. */
-    placed() {
-      if (this.picture.playing) this.picture.pause();
-      this.picture.time = 0;
     }
     verdict() {
       const { engine, chosen, clip, steps } = this.picture;
@@ -89,7 +84,7 @@
       let last = null;
       area.addEventListener("pointerdown", (event) => {
         area.setPointerCapture(event.pointerId);
-        this.placed();
+        this.picture.rewind();
         this.picture.take();
         last = this.at(event);
         this.draw(last, last);
@@ -112,10 +107,6 @@
         this.values[from + Math.sign(to - from) * i] = count ? before + ((value - before) * i) / count : value;
       this.picture.draw();
     }
-    placed() {
-      if (this.picture.playing) this.picture.pause();
-      this.picture.time = 0;
-    }
     verdict() {
       const { picture, plot, values, within, unit } = this,
         { engine, steps } = picture,
@@ -128,7 +119,7 @@
       plot.setData([all.map((i) => (i + 1) * dt), all.map((i) => values[i] ?? null), all.map((i) => truth[i] ?? null)]);
       const whole = all.filter((i) => values[i] !== undefined).length >= 0.9 * steps;
       if (engine.now < steps)
-        return `${whole ? "Now play." : "Draw it from the left edge to the right."} Right: at most ${within}\u00a0${unit} off, or ${Number((slack * dt).toPrecision(2))}\u00a0s early or late.`;
+        return `${whole ? "Now play." : "Draw it from the left edge to the right edge."} A curve within ${within}\u00a0${unit}, or ${Number((slack * dt).toPrecision(2))}\u00a0s early or late, is right.`;
       if (!whole) return "No verdict without a curve over the whole time.";
       // Each curve from what the other is nearby: none of the two may have a peak that the other has not.
       const off = (from, other, i) => {

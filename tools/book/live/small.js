@@ -103,6 +103,7 @@
           if (!seen) {
             this.left = this.playing;
             if (this.left) this.pause();
+            this.workshop.next(); // what came into sight while this one played
           } else if (this.left) this.play();
           else this.workshop.next();
         },
@@ -155,9 +156,14 @@
       this.label();
       this.draw();
     }
+    /** To the start: nothing of the truth is seen before the guess is placed. */
+    rewind() {
+      if (this.playing) this.pause();
+      this.time = 0;
+    }
     /** With the new value at the same instant; at the end of the clip where it has not begun yet. */
     slide() {
-      this.guess?.placed();
+      if (this.guess) this.rewind();
       if (!this.begun) this.time = this.clip.seconds;
       this.begun = true;
       this.say();
