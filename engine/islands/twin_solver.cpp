@@ -16,7 +16,7 @@ constexpr Real horizon = 1;  // s
 struct Level {
   int fine, coarse;  // half steps in a step, without a common divisor
 };
-constexpr std::array levels{Level{5, 2}, Level{9, 2}, Level{17, 4}, Level{33, 8}, Level{65, 16}};
+constexpr std::array levels{Level{5, 2}, Level{9, 2}, Level{19, 4}, Level{37, 8}, Level{73, 16}};
 constexpr int most_level = static_cast<int>(levels.size()) - 1, most_level_of_substeps = 1;
 constexpr Level of_many{2, 1};          // at the most
 constexpr int in_a_half_step = 8;       // substeps
