@@ -9,7 +9,7 @@
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
 #include "pushback/chapters/12_soft_contacts/carry.h"
 #include "pushback/chapters/21_detected_once/bounce.h"
-#include "pushback/engine/substeps/substepping_solver.h"
+#include "pushback/engine/substeps/substepping.h"
 
 namespace pushback {
 

@@ -9,6 +9,8 @@
 #include "pushback/chapters/27_which_error/play_within.h"
 #include "pushback/chapters/27_which_error/scenes.h"
 #include "pushback/common/basics/input.h"
+#include "pushback/common/basics/stopwatch.h"
+#include "pushback/common/world/measure.h"
 
 namespace pushback {
 
@@ -26,12 +28,6 @@ void stretch(IslandSolver& solver, int times) {
   solver.limits.turn *= static_cast<Real>(times);
 }
 
-double seconds_of(const auto& act) {
-  const double began = computing_time();
-  act();
-  return computing_time() - began;
-}
-
 /// In steps four times as long, within an error 16 times as large. Errors of second order are 16 times as large, so the bodies get the
 /// same numbers of half steps as if they were played.
 struct Rehearsal {
@@ -47,7 +43,7 @@ Rehearsal rehearse(World world, Real error, int steps) {
   solver.error = error * longest * longest;
   stretch(solver, longest);
   for (int i = 0; i < steps; i += longest) {
-    rehearsal.seconds += seconds_of([&] { world.step(solver, longest * dt_within); });
+    rehearsal.seconds += computing_time([&] { world.step(solver, longest * dt_within); });
     rehearsal.worlds.push_back(world);
     rehearsal.given.push_back(solver.given);
     rehearsal.known.emplace_back();
@@ -70,7 +66,7 @@ Again rehearse_again(World world, const Rehearsal& first) {
   for (const GivenSteps& given : first.given) {
     solver.given = given;
     for (int part = 0; part < longest / shorter; ++part)
-      again.seconds += seconds_of([&] { world.step(solver, shorter * dt_within); });
+      again.seconds += computing_time([&] { world.step(solver, shorter * dt_within); });
     again.worlds.push_back(world);
   }
   return again;
@@ -81,14 +77,6 @@ Again rehearse_again(World world, const Rehearsal& first) {
 struct Range {
   Real least, most;
 };
-
-/// m
-Real deepest_overlap(World world) {
-  world.find_contacts();
-  Real deepest = 0;
-  for (const Contact& contact : world.contacts) deepest = std::max(deepest, contact.depth);
-  return deepest;
-}
 
 /// A body that needs more half steps from the beginning gets one level more in each step, and steps of the play are shorter. The share of
 /// an error of second order that is then left, if it is made evenly until step `end`.
@@ -147,7 +135,9 @@ void predict_error(Prediction& prediction, const Rehearsal& first, const Again& 
 Prediction predict(const World& begin, Real error, int steps) {
   Prediction prediction;
   const auto neither = [&](const std::string& why) { prediction.no_time = prediction.no_error = why; };
-  if (const Real depth = deepest_overlap(begin); depth > StepClassifier::too_deep) {
+  World start = begin;
+  start.find_contacts();
+  if (const Real depth = deepest_overlap(start); depth > StepClassifier::too_deep) {
     neither(fmt::format("bodies begin {:.2g} mm deep in each other", 1000 * depth));
     return prediction;
   }

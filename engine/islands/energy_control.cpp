@@ -42,7 +42,7 @@ StepOutcome try_half_steps(IslandWorld& island, const IslandStep& step, int subs
   }
   Real off = std::abs(gained);
   if (island.impact) {
-    const Real left = gained + solver.taken();
+    const Real left = gained + solver.dissipated_energy();
     off = std::max(gained, solver.held() ? left : std::abs(left)) - freed;
   }
   outcome.energy_error = off / (step.settings.energy * all);

@@ -18,8 +18,8 @@ constexpr double of_resting_contact =
 /// Whether half steps have let a contact in that was not detected. Islands that were deep before are left out: a press has no room.
 bool lets_in(const IslandWorld& island, const StepClassifier& classifier) {
   const Real before = classifier.deepest(island.lowest()),
-             most = std::max(ImpactCuts::sinks, before + ImpactCuts::sinks / 10);
-  return before <= 10 * ImpactCuts::sinks &&
+             most = std::max(ImpactCuts::most_sinking, before + ImpactCuts::most_sinking / 10);
+  return before <= 10 * ImpactCuts::most_sinking &&
          std::any_of(island.world.contacts.begin(), island.world.contacts.end(),
                      [most](const Contact& at) { return !at.parted && at.depth > most; });
 }
@@ -47,8 +47,8 @@ void IslandSolver::whole_step(World& world, Real dt, int sweeps) {
   AllBodies::check(world);
   IslandSettings::check();
   given.check(world.bodies.size());
-  substep_solver.SubsteppingSolver::check(world, dt);
-  pile_solver.SubsteppingSolver::check(world, dt);
+  substep_solver.check_settings(world, dt);
+  pile_solver.check_settings(world, dt);
   const Plan plan = substep_solver.plan(dt);
   contacts_.find(world, classifier_, plan, dt);
   memory_.resize(world.bodies.size());

@@ -262,7 +262,7 @@ TEST_CASE("half step: what takes more than most_work is refused, stops soon afte
       world = begin;
       const std::string said = complaint([&] { world.step(bounded, h); });
       CHECK(said == (from_afar ? "144 contacts are too large a problem for the multiplications that are left"
-                               : "144 contacts are not solved from what they bore"));
+                               : "144 contacts are not solved from the loads of the previous step"));
       CHECK(hash_of(world) == hash_of(begin));
       CHECK(world.time == 0);
       CHECK(bounded.work() > bounded.most_work);

@@ -4,9 +4,9 @@
 #include <limits>
 #include <sstream>
 
+#include "pushback/common/basics/stopwatch.h"
 #include "pushback/engine/presets.h"
 #include "pushback/tools/measure/results/csv.h"
-#include "pushback/tools/measure/study/stopwatch.h"
 
 namespace pushback::calibration {
 
