@@ -17,7 +17,6 @@
 #include "pushback/common/experiment/words.h"
 #include "pushback/common/render/painter.h"
 #include "pushback/common/render/palette.h"
-#include "pushback/common/world/measure.h"
 
 namespace pushback {
 

@@ -37,10 +37,10 @@ Played play_within(World world, Real error, int steps) {
       body.coloured(static_cast<int>(paint_of(known)));
       ++step.bodies;
       step.bodies_kept += known.kept;
-      if (known.place >= step.most.place) step.most = known;
-      ++step.ways[known.how == StepType::flight ? "in flight" : name_of(known.how)];
+      if (known.position_error >= step.most.position_error) step.most = known;
+      ++step.ways[known.step_type == StepType::flight ? "in flight" : name_of(known.step_type)];
     }
-    step.known = step.most.place;
+    step.known = step.most.position_error;
     played.steps.push_back(step);
     played.worlds.push_back(world);
   }

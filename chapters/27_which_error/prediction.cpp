@@ -25,7 +25,7 @@ constexpr int most_impacts = 50;                   // in a rehearsal
 /// As many substeps in a step, and as fast a turn, as if it were not longer.
 void stretch(IslandSolver& solver, int times) {
   solver.substep_solver.reference_step *= static_cast<Real>(times);
-  solver.limits.turn *= static_cast<Real>(times);
+  solver.limits.fast_turn *= static_cast<Real>(times);
 }
 
 /// In steps four times as long, within an error 16 times as large. Errors of second order are 16 times as large, so the bodies get the
@@ -49,7 +49,7 @@ Rehearsal rehearse(World world, Real error, int steps) {
     rehearsal.known.emplace_back();
     for (const Body& body : world.bodies) rehearsal.known.back().push_back(solver.error_of(body.index));
     for (std::size_t island = 0; island < solver.islands().size(); ++island)
-      if (solver.islands()[island].held) rehearsal.impacts += solver.islands()[island].half_step.events();
+      if (solver.islands()[island].moved) rehearsal.impacts += solver.islands()[island].half_step.events();
   }
   return rehearsal;
 }
@@ -107,7 +107,7 @@ void predict_error(Prediction& prediction, const Rehearsal& first, const Again& 
     for (const Body& body : again.worlds[i].bodies) {
       const auto at = std::size_t(body.index);
       const Real off = (body.position - first.worlds[i].bodies[at].position).norm();
-      most_said = std::max(most_said, first.known[i][at].place);
+      most_said = std::max(most_said, first.known[i][at].position_error);
       if (off <= farthest) continue;
       farthest = off;
       said = first.known[i][at];
@@ -115,17 +115,17 @@ void predict_error(Prediction& prediction, const Rehearsal& first, const Again& 
     }
   }
   if (farthest <= nothing && most_said <= nothing) return;
-  const bool substeps = said.how == StepType::substeps;
+  const bool substeps = said.step_type == StepType::substeps;
   const Real of_half = substeps ? Real(0.5) : Real(0.25);  // 2^-p
   const Range ratios = substeps ? Range{Real(2.5), 4} : Range{8, 18};
   prediction.error = farthest * of_half * of_half / (1 - of_half);
   if (!substeps) prediction.error *= left_if_sooner(first.given, which, when);
   const std::optional<Real> rate = growth(differences, error, longest * dt_within);
   if (rate) prediction.no_error = fmt::format("places part by a factor of e every {:.2g} s", 1 / *rate);
-  else if (!(said.place >= ratios.least * farthest && said.place <= ratios.most * farthest))
-    prediction.no_error =
-        fmt::format("in steps half as long a body is {:.2g} mm away, and its order says {:.2g} to {:.2g} mm",
-                    1000 * farthest, 1000 * said.place / ratios.most, 1000 * said.place / ratios.least);
+  else if (!(said.position_error >= ratios.least * farthest && said.position_error <= ratios.most * farthest))
+    prediction.no_error = fmt::format(
+        "in steps half as long a body is {:.2g} mm away, and its order says {:.2g} to {:.2g} mm", 1000 * farthest,
+        1000 * said.position_error / ratios.most, 1000 * said.position_error / ratios.least);
   else if (first.impacts > most_impacts)
     prediction.no_error = fmt::format("{} impacts, of which each makes an error larger", first.impacts);
 }

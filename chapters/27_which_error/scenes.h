@@ -19,8 +19,8 @@ inline std::vector<std::pair<Paint, std::string>> named_paints() {
 constexpr int few_half_steps = 5;  // the fewest that a body with few contacts gets
 
 inline Paint paint_of(const BodyError& known) {
-  if (known.how == StepType::flight) return Paint::flight;
-  if (known.how == StepType::substeps) return Paint::substeps;
+  if (known.step_type == StepType::flight) return Paint::flight;
+  if (known.step_type == StepType::substeps) return Paint::substeps;
   return known.substeps > few_half_steps ? Paint::more : Paint::few;
 }
 

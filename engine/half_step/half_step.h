@@ -71,7 +71,7 @@ class HalfStepIntegrator : public HalfStepSettings {
   int events() const { return cuts_.events(); }
   bool bound_reached() const { return cuts_.bound_reached(); }
   Real dissipated_energy() const { return cuts_.dissipated_energy(); }
-  bool held() const { return cuts_.held(); }
+  bool contacts_held() const { return cuts_.contacts_held(); }
 
  private:
   bool run(World& world, Real h);

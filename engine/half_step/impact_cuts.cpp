@@ -164,7 +164,7 @@ void ImpactCuts::hold_touching(KickDrift& motion, World& world, Real h) {
         (at.depth > -touch_distance && separating_speed(world, at) <= std::max(resting_speed, last)))
       held_pairs->push_back(pair);
   }
-  held_ |= !held_pairs->empty();
+  contacts_held_ |= !held_pairs->empty();
   if (!held_pairs->empty() && !motion.detected_ahead) motion.detect_ahead(world, h);
 }
 
@@ -211,7 +211,7 @@ bool ImpactCuts::advance(KickDrift& motion, World& world, Real h) {
     if (!impact(motion, world, h, met)) return false;
     if (met) ++events_;
     if (cuts == most_events) {
-      bound_reached_ = held_ = true;
+      bound_reached_ = contacts_held_ = true;
       motion.contacts.held_pairs.reset();
       motion.detect_ahead(world, h);
       while (left > 0) {

@@ -43,7 +43,7 @@ class ImpactCuts {
   int most_events = 64;  ///< in a substep; its rest is then a half step in which all pairs are held
 
   /// Call it before each step.
-  void begin() { events_ = 0, dissipated_energy_ = 0, bound_reached_ = held_ = false; }
+  void begin() { events_ = 0, dissipated_energy_ = 0, bound_reached_ = contacts_held_ = false; }
   /// A substep of h. If it fails, returns false, and `motion.failure` gives the reason.
   bool advance(KickDrift& motion, World& world, Real h);
 
@@ -51,7 +51,7 @@ class ImpactCuts {
   int events() const { return events_; }                         ///< how often bodies met
   bool bound_reached() const { return bound_reached_; }          ///< whether `most_events` was reached
   Real dissipated_energy() const { return dissipated_energy_; }  ///< J, the kinetic energy that impacts have dissipated
-  bool held() const { return held_; }                            ///< whether contacts were held
+  bool contacts_held() const { return contacts_held_; }          ///< whether contacts were held
 
  private:
   static constexpr Real touch_distance = HeldContacts::touch_distance;
@@ -89,7 +89,7 @@ class ImpactCuts {
   WarmDirectContacts direct_ = exact_direct_contacts();
   int events_ = 0;
   Real dissipated_energy_ = 0;
-  bool bound_reached_ = false, held_ = false;
+  bool bound_reached_ = false, contacts_held_ = false;
 };
 
 }  // namespace pushback

@@ -146,7 +146,7 @@ ImpactCuts::Length ImpactCuts::move_joined(KickDrift& motion, World& world, Real
     motion.restore(world, begin);
     std::vector<BodyPair>& held = *motion.contacts.held_pairs;
     held.insert(std::lower_bound(held.begin(), held.end(), *first_), *first_);
-    held_ = true;
+    contacts_held_ = true;
     if (!motion.detected_ahead) motion.detect_ahead(world, *most);
     return move_joined(motion, world, within);
   }

@@ -55,7 +55,8 @@ void IslandWorlds::divide(World& world, StepClassifier& classifier, const Contac
   }
   for (std::size_t i = 0; i < world.joints.size(); ++i) {
     Joint& joint = world.joints[i];
-    if (IslandWorld* island = island_of(world.body(joint.a), world.body(joint.b), classifier)) island->take(joint, i);
+    if (IslandWorld* island = island_of(world.body(joint.a), world.body(joint.b), classifier))
+      island->take_joint(joint, i);
   }
 }
 
@@ -76,7 +77,7 @@ void IslandWorlds::commit(World& world, Real fraction) const {
   const auto lower = [](const Contact& first, const Contact& second) { return first.id < second.id; };
   const auto others = static_cast<std::ptrdiff_t>(world.contacts.size());
   for (std::size_t i = 0; i < count_; ++i)
-    if (islands_[i].held) islands_[i].give(world, fraction);
+    if (islands_[i].moved) islands_[i].write_to(world, fraction);
   std::sort(world.contacts.begin() + others, world.contacts.end(), lower);
   std::inplace_merge(world.contacts.begin(), world.contacts.begin() + others, world.contacts.end(), lower);
   world.last_impulses_known = true;

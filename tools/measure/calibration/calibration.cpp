@@ -103,7 +103,7 @@ Played play(const Scene& scene, const Truth& truth) {
     played.said = 0;
     for (const Body& body : world.bodies) {
       const BodyError known = solver.error_of(body.index);
-      played.said = std::max(played.said, known.place);
+      played.said = std::max(played.said, known.position_error);
       played.flagged |= !known.kept;
     }
   }
