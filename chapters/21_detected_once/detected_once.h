@@ -38,7 +38,7 @@ class DetectedOnceSubsteps : public Substepping {
     }
     start_from_last_step(world, h, [this](std::size_t i, const Vec3& impulse) {
       contacts_[i].guess(impulse);
-      contacts_[i].give(bodies_, 1);
+      contacts_[i].apply_impulses(bodies_, 1);
     });
   }
   /// Sets the target velocity of each normal, applies the initial guess and sweeps, in each substep.
@@ -54,8 +54,8 @@ class DetectedOnceSubsteps : public Substepping {
       for (KeptContact& contact : contacts_) contact.save_impulses();
     joints.start(step);
     for (KeptBody& each : bodies_) {  // rows and impulses are the same, so one addition per body is enough
-      each.body->velocity += each.given;
-      each.body->angular_velocity += each.given_turning;
+      each.body->velocity += each.impulse_velocity;
+      each.body->angular_velocity += each.impulse_angular_velocity;
     }
     for (int i = 0; i < sweeps; ++i) sweep(step);
     joints.finish(step);
@@ -65,8 +65,8 @@ class DetectedOnceSubsteps : public Substepping {
   void after_move(World& world, Real h) {
     for (KeptBody& each : bodies_) {
       if (each.body->conveys) continue;
-      each.way += h * each.body->velocity;
-      each.turn += h * each.body->angular_velocity;
+      each.displacement += h * each.body->velocity;
+      each.rotation += h * each.body->angular_velocity;
     }
     for (KeptContact& contact : contacts_) {
       contact.carry(bodies_, carried_from);
@@ -108,8 +108,8 @@ class DetectedOnceSubsteps : public Substepping {
   void sweep(StepContext& step, bool last = false) {
     joints.sweep(step);
     for (KeptBody& each : bodies_) {
-      each.given -= each.body->velocity;
-      each.given_turning -= each.body->angular_velocity;
+      each.impulse_velocity -= each.body->velocity;
+      each.impulse_angular_velocity -= each.body->angular_velocity;
     }
     solve_normals_until_solved([this] {
       Real change = 0;
@@ -122,8 +122,8 @@ class DetectedOnceSubsteps : public Substepping {
       if (last) contact.add_up();
     }
     for (KeptBody& each : bodies_) {
-      each.given += each.body->velocity;
-      each.given_turning += each.body->angular_velocity;
+      each.impulse_velocity += each.body->velocity;
+      each.impulse_angular_velocity += each.body->angular_velocity;
     }
     rows_solved += 2 * contacts_.size();
   }

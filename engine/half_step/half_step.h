@@ -16,7 +16,7 @@ struct StepOutcome {
   Real energy_error = 0;  ///< as a fraction of the allowed error, see energy_control.h
 };
 
-/// A solver with its own integrator. World::step calls it at the usual times. Each substep of h is:
+/// The functions of `HalfStep`, a solver with its own integrator. World::step calls them at the usual times. Each substep of h is:
 ///
 ///   v += h/2 M^-1 f(x)                          the first half of the kick
 ///   v += M^-1 J(x)^T lambda                     so that C = 0 after the drift, by Newton's method for lambda
