@@ -43,7 +43,7 @@ inline std::vector<Places> places_by(HalfStep solver, World world, int steps, co
 
 /// The largest error that is said of a body, m, and whether each is said to be kept.
 struct Said {
-  Real place = 0;
+  Real position_error = 0;
   bool kept = true;
 };
 inline Said said_of(const World& world, TwinSolver& solver) {
