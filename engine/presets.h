@@ -25,7 +25,7 @@ struct Exact : TwinSolver {
     joint_half_step.substeps = 8;
     contact_half_step.most_work = joint_half_step.most_work = 1e7;
     energy = Real(1e-6);
-    limits.large = std::numeric_limits<int>::max();
+    limits.large_pile = std::numeric_limits<int>::max();
     budget.per_contact *= 4;
   }
 };

@@ -9,7 +9,7 @@
 
 #include "pushback/chapters/10_position_correction/nonlinear_gauss_seidel.h"
 #include "pushback/chapters/10_position_correction/split_impulse.h"
-#include "pushback/chapters/14_joints_under_load/steady_joints.h"
+#include "pushback/chapters/14_joints_under_load/steady_jointed_solver.h"
 #include "pushback/chapters/17_direct_contacts/direct_contacts.h"
 #include "pushback/common/bodies/random.h"
 #include "pushback/common/world/measure.h"

@@ -1,7 +1,6 @@
-/// Chapter 12's solver for substeps, with joints.
+/// Joints for substeps of one sweep.
 #pragma once
 
-#include "pushback/chapters/12_soft_contacts/steady_solver.h"
 #include "pushback/chapters/14_joints_under_load/split_joints.h"
 
 namespace pushback {
@@ -10,7 +9,5 @@ namespace pushback {
 struct SteadyJoints : SplitJoints {
   SteadyJoints() { passes = 20; }
 };
-using SteadyJointedSolver =
-    RelaxingSolver<SteadyJoints, Clamping, SoftContacts, SimultaneousImpacts, FrictionCone, ScaledWarmStart>;
 
 }  // namespace pushback

@@ -7,6 +7,7 @@
 #include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/12_soft_contacts/relaxing_solver.h"
 #include "pushback/chapters/13_joints/joints.h"
+#include "pushback/common/world/solver_from.h"
 #include "pushback/engine/islands/scene_questions.h"
 
 namespace pushback {
@@ -67,6 +68,10 @@ struct OnlyOf<SolverOf<Effects...>, Yes> {
 template <class Full, class Yes>
 struct OnlyOf<Substeps<Full>, Yes> {
   using type = Substeps<typename OnlyOf<Full, Yes>::type>;
+};
+template <class Functions, class Yes>
+struct OnlyOf<SolverFrom<Functions>, Yes> {
+  using type = SolverFrom<Functions>;
 };
 template <class Full, class Yes>
 using Only = typename OnlyOf<Full, Yes>::type;

@@ -7,25 +7,26 @@
 
 #include "pushback/chapters/14_joints_under_load/steady_joints.h"
 #include "pushback/chapters/21_detected_once/kept_contact.h"
+#include "pushback/common/world/solver_from.h"
 
 namespace pushback {
 
 /// Soft contacts, a friction cone, restitution, warm start and relaxing as in chapters 05 to 12, and joints as in chapter 14.
 ///
 /// Between steps it stores no impulses, because its initial guess comes from the world's contacts and joints.
-class DetectedOnce : public SubsteppingSolver {
+class DetectedOnceSubsteps : public Substepping {
  public:
   Real carried_from = Real(1e-3);  ///< m/s; bodies with a lower relative velocity keep their rows as detected
   SteadyJoints joints;
 
-  void check(World& world, Real h) override {
-    SubsteppingSolver::check(world, h);
+  void check(World& world, Real h) {
+    check_settings(world, h);
     require_not_negative("carried_from", carried_from);
     StepContext step = joints_step(world, h);
     joints.check(step);
   }
   /// Builds the rows and sets their initial impulses, once per step.
-  void after_detection(World& world, Real h) override {
+  void after_detection(World& world, Real h) {
     measured_.reset();
     bodies_.clear();
     contacts_.clear();
@@ -37,11 +38,11 @@ class DetectedOnce : public SubsteppingSolver {
     }
     start_from_last_step(world, h, [this](std::size_t i, const Vec3& impulse) {
       contacts_[i].guess(impulse);
-      contacts_[i].give(bodies_, 1);
+      contacts_[i].apply_impulses(bodies_, 1);
     });
   }
   /// Sets the target velocity of each normal, applies the initial guess and sweeps, in each substep.
-  void solve(World& world, Real h, int sweeps) override {
+  void solve(World& world, Real h, int sweeps) {
     StepContext step = joints_step(world, h);
     joints.build(step);
     forget_impacts();
@@ -53,19 +54,19 @@ class DetectedOnce : public SubsteppingSolver {
       for (KeptContact& contact : contacts_) contact.save_impulses();
     joints.start(step);
     for (KeptBody& each : bodies_) {  // rows and impulses are the same, so one addition per body is enough
-      each.body->velocity += each.given;
-      each.body->angular_velocity += each.given_turning;
+      each.body->velocity += each.impulse_velocity;
+      each.body->angular_velocity += each.impulse_angular_velocity;
     }
     for (int i = 0; i < sweeps; ++i) sweep(step);
     joints.finish(step);
     joints.report(step);
   }
   /// Updates displacements and rows, and makes the relaxing pass, once the bodies have moved in each substep.
-  void after_move(World& world, Real h) override {
+  void after_move(World& world, Real h) {
     for (KeptBody& each : bodies_) {
       if (each.body->conveys) continue;
-      each.way += h * each.body->velocity;
-      each.turn += h * each.body->angular_velocity;
+      each.displacement += h * each.body->velocity;
+      each.rotation += h * each.body->angular_velocity;
     }
     for (KeptContact& contact : contacts_) {
       contact.carry(bodies_, carried_from);
@@ -77,7 +78,7 @@ class DetectedOnce : public SubsteppingSolver {
     joints.report(step);
   }
   /// Stores the impulses in the contacts and removes the contacts that did not touch, once per step.
-  void end_detection(World& world) override {
+  void end_detection(World& world) {
     if (fastest_ > 0) measured_ = measure();  // before the impulses of an impact are discarded
     forget_impacts();
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
@@ -91,7 +92,7 @@ class DetectedOnce : public SubsteppingSolver {
     }
     std::erase_if(world.contacts, [](const Contact& c) { return c.depth < 0 && c.impulse.isZero(0); });
   }
-  SolveStats stats() const override { return measured_.value_or(measure()); }
+  SolveStats stats() const { return measured_.value_or(measure()); }
 
  private:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
@@ -107,8 +108,8 @@ class DetectedOnce : public SubsteppingSolver {
   void sweep(StepContext& step, bool last = false) {
     joints.sweep(step);
     for (KeptBody& each : bodies_) {
-      each.given -= each.body->velocity;
-      each.given_turning -= each.body->angular_velocity;
+      each.impulse_velocity -= each.body->velocity;
+      each.impulse_angular_velocity -= each.body->angular_velocity;
     }
     solve_normals_until_solved([this] {
       Real change = 0;
@@ -121,8 +122,8 @@ class DetectedOnce : public SubsteppingSolver {
       if (last) contact.add_up();
     }
     for (KeptBody& each : bodies_) {
-      each.given += each.body->velocity;
-      each.given_turning += each.body->angular_velocity;
+      each.impulse_velocity += each.body->velocity;
+      each.impulse_angular_velocity += each.body->angular_velocity;
     }
     rows_solved += 2 * contacts_.size();
   }
@@ -146,5 +147,7 @@ class DetectedOnce : public SubsteppingSolver {
   std::vector<KeptBody> bodies_;     // bodies with contacts
   std::vector<std::size_t> places_;  // index in bodies_ of each body of the world
 };
+
+using DetectedOnce = SolverFrom<DetectedOnceSubsteps>;
 
 }  // namespace pushback

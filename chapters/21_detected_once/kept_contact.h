@@ -9,19 +9,20 @@
 #include "pushback/chapters/08_friction_cone/friction_cone.h"
 #include "pushback/chapters/12_soft_contacts/carry.h"
 #include "pushback/chapters/21_detected_once/bounce.h"
-#include "pushback/engine/substeps/substepping_solver.h"
+#include "pushback/engine/substeps/substepping.h"
 
 namespace pushback {
 
 /// A body with contacts, while contacts are kept.
 struct KeptBody {
   Body* body;
-  Vec3 way = Vec3::Zero(), turn = Vec3::Zero();             ///< since detection, the sum of h v, m, and of h w, rad
-  Vec3 given = Vec3::Zero(), given_turning = Vec3::Zero();  ///< changes of v (m/s) and w (rad/s) by the contacts
+  Vec3 displacement = Vec3::Zero(), rotation = Vec3::Zero();  ///< since detection, the sum of h v, m, and of h w, rad
+  Vec3 impulse_velocity = Vec3::Zero(),
+       impulse_angular_velocity = Vec3::Zero();  ///< changes of v (m/s) and w (rad/s) by the contacts
 
-  void gets(const Vec3& dv, const Vec3& dw) {
-    given += dv;
-    given_turning += dw;
+  void add_velocity(const Vec3& dv, const Vec3& dw) {
+    impulse_velocity += dv;
+    impulse_angular_velocity += dw;
   }
 };
 
@@ -45,19 +46,19 @@ struct KeptContact {
   /// C, m.
   Real separation(const std::vector<KeptBody>& bodies) const {
     const KeptBody &moved_a = bodies[a], &moved_b = bodies[b];
-    return found +
-           (normal.n.dot(moved_b.way - moved_a.way) + (normal.rb_n.dot(moved_b.turn) - normal.ra_n.dot(moved_a.turn)));
+    return found + (normal.n.dot(moved_b.displacement - moved_a.displacement) +
+                    (normal.rb_n.dot(moved_b.rotation) - normal.ra_n.dot(moved_a.rotation)));
   }
   /// Gives both bodies one common point again (chapter 12), because otherwise their impulses would rotate the pair. If their
   /// relative velocity is below `carried_from`, m/s, the rows stay.
   void carry(std::vector<KeptBody>& bodies, Real carried_from) {
     if ((normal.b->velocity - normal.a->velocity).squaredNorm() < carried_from * carried_from) return;
-    const Vec3 apart = bodies[b].way - bodies[a].way;
+    const Vec3 apart = bodies[b].displacement - bodies[a].displacement;
     const Real C = separation(bodies);
-    give(bodies, -1);
+    apply_impulses(bodies, -1);
     for (Row* row : {&normal, &tangent1, &tangent2}) pushback::carry(*row, apart - carried_);
     step_size = 1 / TangentBlock(tangent1, tangent2).larger_eigenvalue();
-    give(bodies, 1);
+    apply_impulses(bodies, 1);
     carried_ = apart;
     found += C - separation(bodies);  // the separation stays
   }
@@ -70,14 +71,14 @@ struct KeptContact {
     if (approach < -push_out.threshold && C + h * approach < 0) {
       const Bounce back(restitution, C, -approach, approach - normal.speed(), h);
       bounce = -back.speed;
-      ask(-back.way / h, 0);
-    } else if (C > 0) ask(restitution > 0 && C > h * push_out.threshold ? free : C / h, 0);
-    else if (wanted < -push_out.fastest) ask(-push_out.fastest, 0);
-    else ask(wanted, push_out.gamma_by_K);
+      set_equation(-back.way / h, 0);
+    } else if (C > 0) set_equation(restitution > 0 && C > h * push_out.threshold ? free : C / h, 0);
+    else if (wanted < -push_out.fastest) set_equation(-push_out.fastest, 0);
+    else set_equation(wanted, push_out.gamma_by_K);
   }
   /// After the bodies have moved: removes the push-out (chapter 12). A contact that was apart keeps its bias C/h, because the
   /// current C would stop it before it arrives, and it would not bounce.
-  void relax() { ask(bounce < 0 ? bounce : std::max(normal.bias, Real(0)), 0); }
+  void relax() { set_equation(bounce < 0 ? bounce : std::max(normal.bias, Real(0)), 0); }
   /// Returns the change of the speed along the normal, m/s.
   Real solve_normal() {
     const Real before = normal.impulse;
@@ -114,21 +115,21 @@ struct KeptContact {
     tangent1.impulse = within.dot(tangent1.n);
     tangent2.impulse = within.dot(tangent2.n);
   }
-  /// Adds the velocity changes by this contact's impulses, multiplied by `times`, to `given` of both bodies.
-  void give(std::vector<KeptBody>& bodies, Real times) const {
+  /// Adds the velocity changes by this contact's impulses, multiplied by `times`, to `impulse_velocity` of both bodies.
+  void apply_impulses(std::vector<KeptBody>& bodies, Real times) const {
     for (const Row* row : {&normal, &tangent1, &tangent2}) {
       const Real impulse = times * row->impulse;
-      bodies[a].gets(impulse * row->dva, impulse * row->dwa);
-      bodies[b].gets(impulse * row->dvb, impulse * row->dwb);
+      bodies[a].add_velocity(impulse * row->dva, impulse * row->dwa);
+      bodies[b].add_velocity(impulse * row->dvb, impulse * row->dwb);
     }
   }
   /// Saves the initial impulses of a substep, before its sweeps.
   void save_impulses() { start_ = {normal.impulse, tangent1.impulse, tangent2.impulse}; }
   /// Restores the saved impulses, from which the next substep starts.
   void restore(std::vector<KeptBody>& bodies) {
-    give(bodies, -1);
+    apply_impulses(bodies, -1);
     normal.impulse = start_.x(), tangent1.impulse = start_.y(), tangent2.impulse = start_.z();
-    give(bodies, 1);
+    apply_impulses(bodies, 1);
   }
 
  private:
@@ -151,7 +152,7 @@ struct KeptContact {
     normal.lo = 0;
   }
   /// Sets the equation of the normal row: J V + b + gamma lambda = 0.
-  void ask(Real bias, Real gamma_by_K) {
+  void set_equation(Real bias, Real gamma_by_K) {
     normal.bias = bias;
     softness = gamma_by_K / normal.effective_mass;
     mass = normal.effective_mass / (1 + gamma_by_K);

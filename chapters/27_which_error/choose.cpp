@@ -7,6 +7,8 @@
 #include "pushback/chapters/27_which_error/scenes.h"
 #include "pushback/common/basics/files.h"
 #include "pushback/common/basics/named.h"
+#include "pushback/common/basics/number_with_unit.h"
+#include "pushback/common/experiment/camera_around.h"
 #include "pushback/common/experiment/kept_picture.h"
 #include "pushback/common/experiment/picture_of.h"
 #include "pushback/common/experiment/plot.h"
@@ -15,7 +17,6 @@
 #include "pushback/common/experiment/words.h"
 #include "pushback/common/render/painter.h"
 #include "pushback/common/render/palette.h"
-#include "pushback/common/world/measure.h"
 
 namespace pushback {
 
@@ -23,25 +24,9 @@ using namespace which_error_scenes;
 
 namespace {
 
-/// Reads "1mm", "0.5 cm" or "2 ms". `units`: the size of each unit in m or s, the unit of the result. Throws InvalidInput.
+/// A length in m or a time in s. Throws InvalidInput.
 Real quantity(const std::string& option, const std::string& text, const std::map<std::string, Real>& units) {
-  std::size_t read = 0;
-  double number = 0;
-  try {
-    number = std::stod(text, &read);
-  } catch (const std::exception&) {
-    read = 0;
-  }
-  std::string unit = text.substr(read);
-  unit.erase(0, unit.find_first_not_of(' ') == std::string::npos ? unit.size() : unit.find_first_not_of(' '));
-  const auto found = units.find(unit);
-  if (read == 0 || found == units.end() || !(number > 0) || !std::isfinite(number)) {
-    std::vector<std::string> names;
-    for (const auto& [name, size] : units) names.push_back(name);
-    throw InvalidInput(fmt::format("{} is '{}': a number above 0 with a unit is needed, one of {}", option, text,
-                                   fmt::join(names, ", ")));
-  }
-  const Real value = static_cast<Real>(number) * found->second;
+  const Real value = number_with_unit(option, text, units);
   if (!(value >= Real(1e-15) && value <= 1000))
     throw InvalidInput(
         fmt::format("{} is '{}': from 1e-15 to 1000 {} is needed", option, text, units.contains("m") ? "m" : "s"));
@@ -52,32 +37,15 @@ std::string length_said(Real metres) {
   return metres < Real(1e-9) ? "less than 1e-6 mm" : fmt::format("{:.2g} mm", 1000 * metres);
 }
 
-/// A camera above and in front of the movable bodies, far enough away to show all of them.
-Camera camera_for(const std::vector<World>& worlds) {
-  Vec3 low = Vec3::Constant(std::numeric_limits<Real>::infinity()), high = -low;
-  for (const World* world : {&worlds.front(), &worlds[worlds.size() / 2], &worlds.back()})
-    for (const Body& body : world->bodies) {
-      if (!body.movable()) continue;
-      low = low.cwiseMin(body.position);
-      high = high.cwiseMax(body.position);
-    }
-  const Vec3 middle = (low + high) / 2;
-  const Real size = std::max(Real(1), (high - low).norm());
-  return {middle + size * Vec3(Real(0.15), Real(0.25), Real(1.05)), middle};
-}
-
 void draw(const std::filesystem::path& folder, const std::string& name, const std::string& asked, const Played& played,
           const std::vector<Real>& measured_off) {
-  const Camera camera = camera_for(played.worlds);
+  const Camera camera = camera_around(played.worlds);
   Painter painter(cell_width * 2, cell_width * 9 / 8);
   Sheet sheet;
   sheet.question = name;
   sheet.scene = "within " + asked;
   sheet.caption = "The colour shows how a body was moved in the latest step.";
-  for (const auto& [paint, said] : {std::pair(Paint::flight, "in flight"),
-                                    {Paint::few, "up to five half steps"},
-                                    {Paint::more, "more half steps"},
-                                    {Paint::substeps, "substeps"}})
+  for (const auto& [paint, said] : named_paints())
     sheet.legend.push_back({LegendEntry::Kind::body, body_ink(static_cast<int>(paint)), said});
   SheetRow row;
   for (const std::size_t part : {1, 2, 3}) {

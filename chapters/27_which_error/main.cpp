@@ -99,10 +99,7 @@ int main(int argc, char** argv) {
   Real asked = 1;  // mm
   e.parameter({"--error", "error", "mm", "Allowed position error in the second row", Real(0.001), 1000}, &asked);
   return e.run(argc, argv, [&] {
-    const std::vector<std::pair<Paint, std::string>> paints{{Paint::flight, "in flight"},
-                                                            {Paint::few, "up to five half steps"},
-                                                            {Paint::more, "more half steps"},
-                                                            {Paint::substeps, "substeps"}};
+    const std::vector<std::pair<Paint, std::string>> paints = named_paints();
     std::vector<std::pair<Ink, std::string>> colours;
     for (const auto& [paint, name] : paints) colours.emplace_back(body_ink(static_cast<int>(paint)), name);
     const to_each_its_own_scenes::Yard yard;

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
 #include "pushback/chapters/27_which_error/scenes.h"
+#include "pushback/common/basics/stopwatch.h"
+#include "pushback/engine/islands/scene_questions.h"
 
 namespace pushback {
 
@@ -15,20 +16,6 @@ namespace {
 constexpr Real diverged = 100;        // times the error: beyond it, places are meaningless
 constexpr Real at_once = Real(0.25);  // s
 
-std::string way_of(const BodyError& known) {
-  switch (known.how) {
-    case StepType::flight:
-      return "in flight";
-    case StepType::half_steps:
-      return "half steps";
-    case StepType::substeps:
-      return "substeps";
-    case StepType::none:
-      break;
-  }
-  return "not at all";
-}
-
 }  // namespace
 
 double Played::seconds() const {
@@ -37,31 +24,23 @@ double Played::seconds() const {
   return all;
 }
 
-double computing_time() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 Played play_within(World world, Real error, int steps) {
   TwinSolver solver;
   solver.error = error;
   Played played;
   for (int i = 0; i < steps; ++i) {
-    const double began = computing_time();
-    world.step(solver, dt_within);
     PlayedStep step;
-    step.seconds = computing_time() - began;
+    step.seconds = computing_time([&] { world.step(solver, dt_within); });
     for (Body& body : world.bodies) {
       if (!body.movable()) continue;
       const BodyError known = solver.error_of(body.index);
       body.coloured(static_cast<int>(paint_of(known)));
       ++step.bodies;
       step.bodies_kept += known.kept;
-      if (known.place >= step.most.place) step.most = known;
-      ++step.ways[way_of(known)];
+      if (known.position_error >= step.most.position_error) step.most = known;
+      ++step.ways[known.step_type == StepType::flight ? "in flight" : name_of(known.step_type)];
     }
-    step.known = step.most.place;
+    step.known = step.most.position_error;
     played.steps.push_back(step);
     played.worlds.push_back(world);
   }

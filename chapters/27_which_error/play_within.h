@@ -27,9 +27,6 @@ struct Played {
 constexpr Real dt_within = Real(1) / 60;  ///< s
 constexpr int finer_truth = 16;           ///< the usual `finer` of `off`
 
-/// The computing time of this thread so far, s, without the time of other programs.
-double computing_time();
-
 Played play_within(World world, Real error, int steps);
 
 /// The distance from the same scene in steps `finer` times shorter, within an error `finer` times smaller, after each step, m.

@@ -9,6 +9,8 @@
 #include "pushback/chapters/27_which_error/play_within.h"
 #include "pushback/chapters/27_which_error/scenes.h"
 #include "pushback/common/basics/input.h"
+#include "pushback/common/basics/stopwatch.h"
+#include "pushback/common/world/measure.h"
 
 namespace pushback {
 
@@ -23,13 +25,7 @@ constexpr int most_impacts = 50;                   // in a rehearsal
 /// As many substeps in a step, and as fast a turn, as if it were not longer.
 void stretch(IslandSolver& solver, int times) {
   solver.substep_solver.reference_step *= static_cast<Real>(times);
-  solver.limits.turn *= static_cast<Real>(times);
-}
-
-double seconds_of(const auto& act) {
-  const double began = computing_time();
-  act();
-  return computing_time() - began;
+  solver.limits.fast_turn *= static_cast<Real>(times);
 }
 
 /// In steps four times as long, within an error 16 times as large. Errors of second order are 16 times as large, so the bodies get the
@@ -47,13 +43,13 @@ Rehearsal rehearse(World world, Real error, int steps) {
   solver.error = error * longest * longest;
   stretch(solver, longest);
   for (int i = 0; i < steps; i += longest) {
-    rehearsal.seconds += seconds_of([&] { world.step(solver, longest * dt_within); });
+    rehearsal.seconds += computing_time([&] { world.step(solver, longest * dt_within); });
     rehearsal.worlds.push_back(world);
     rehearsal.given.push_back(solver.given);
     rehearsal.known.emplace_back();
     for (const Body& body : world.bodies) rehearsal.known.back().push_back(solver.error_of(body.index));
     for (std::size_t island = 0; island < solver.islands().size(); ++island)
-      if (solver.islands()[island].held) rehearsal.impacts += solver.islands()[island].half_step.events();
+      if (solver.islands()[island].moved) rehearsal.impacts += solver.islands()[island].half_step.events();
   }
   return rehearsal;
 }
@@ -70,7 +66,7 @@ Again rehearse_again(World world, const Rehearsal& first) {
   for (const GivenSteps& given : first.given) {
     solver.given = given;
     for (int part = 0; part < longest / shorter; ++part)
-      again.seconds += seconds_of([&] { world.step(solver, shorter * dt_within); });
+      again.seconds += computing_time([&] { world.step(solver, shorter * dt_within); });
     again.worlds.push_back(world);
   }
   return again;
@@ -81,14 +77,6 @@ Again rehearse_again(World world, const Rehearsal& first) {
 struct Range {
   Real least, most;
 };
-
-/// m
-Real deepest_overlap(World world) {
-  world.find_contacts();
-  Real deepest = 0;
-  for (const Contact& contact : world.contacts) deepest = std::max(deepest, contact.depth);
-  return deepest;
-}
 
 /// A body that needs more half steps from the beginning gets one level more in each step, and steps of the play are shorter. The share of
 /// an error of second order that is then left, if it is made evenly until step `end`.
@@ -119,7 +107,7 @@ void predict_error(Prediction& prediction, const Rehearsal& first, const Again& 
     for (const Body& body : again.worlds[i].bodies) {
       const auto at = std::size_t(body.index);
       const Real off = (body.position - first.worlds[i].bodies[at].position).norm();
-      most_said = std::max(most_said, first.known[i][at].place);
+      most_said = std::max(most_said, first.known[i][at].position_error);
       if (off <= farthest) continue;
       farthest = off;
       said = first.known[i][at];
@@ -127,17 +115,17 @@ void predict_error(Prediction& prediction, const Rehearsal& first, const Again& 
     }
   }
   if (farthest <= nothing && most_said <= nothing) return;
-  const bool substeps = said.how == StepType::substeps;
+  const bool substeps = said.step_type == StepType::substeps;
   const Real of_half = substeps ? Real(0.5) : Real(0.25);  // 2^-p
   const Range ratios = substeps ? Range{Real(2.5), 4} : Range{8, 18};
   prediction.error = farthest * of_half * of_half / (1 - of_half);
   if (!substeps) prediction.error *= left_if_sooner(first.given, which, when);
   const std::optional<Real> rate = growth(differences, error, longest * dt_within);
   if (rate) prediction.no_error = fmt::format("places part by a factor of e every {:.2g} s", 1 / *rate);
-  else if (!(said.place >= ratios.least * farthest && said.place <= ratios.most * farthest))
-    prediction.no_error =
-        fmt::format("in steps half as long a body is {:.2g} mm away, and its order says {:.2g} to {:.2g} mm",
-                    1000 * farthest, 1000 * said.place / ratios.most, 1000 * said.place / ratios.least);
+  else if (!(said.position_error >= ratios.least * farthest && said.position_error <= ratios.most * farthest))
+    prediction.no_error = fmt::format(
+        "in steps half as long a body is {:.2g} mm away, and its order says {:.2g} to {:.2g} mm", 1000 * farthest,
+        1000 * said.position_error / ratios.most, 1000 * said.position_error / ratios.least);
   else if (first.impacts > most_impacts)
     prediction.no_error = fmt::format("{} impacts, of which each makes an error larger", first.impacts);
 }
@@ -147,7 +135,9 @@ void predict_error(Prediction& prediction, const Rehearsal& first, const Again& 
 Prediction predict(const World& begin, Real error, int steps) {
   Prediction prediction;
   const auto neither = [&](const std::string& why) { prediction.no_time = prediction.no_error = why; };
-  if (const Real depth = deepest_overlap(begin); depth > StepClassifier::too_deep) {
+  World start = begin;
+  start.find_contacts();
+  if (const Real depth = deepest_overlap(start); depth > StepClassifier::too_deep) {
     neither(fmt::format("bodies begin {:.2g} mm deep in each other", 1000 * depth));
     return prediction;
   }

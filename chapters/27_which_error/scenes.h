@@ -9,11 +9,18 @@ namespace pushback::which_error_scenes {
 /// Indices of the palette: mustard, teal, blue and brick.
 enum class Paint { flight = 2, few = 1, more = 0, substeps = 4 };
 
+inline std::vector<std::pair<Paint, std::string>> named_paints() {
+  return {{Paint::flight, "in flight"},
+          {Paint::few, "up to five half steps"},
+          {Paint::more, "more half steps"},
+          {Paint::substeps, "substeps"}};
+}
+
 constexpr int few_half_steps = 5;  // the fewest that a body with few contacts gets
 
 inline Paint paint_of(const BodyError& known) {
-  if (known.how == StepType::flight) return Paint::flight;
-  if (known.how == StepType::substeps) return Paint::substeps;
+  if (known.step_type == StepType::flight) return Paint::flight;
+  if (known.step_type == StepType::substeps) return Paint::substeps;
   return known.substeps > few_half_steps ? Paint::more : Paint::few;
 }
 

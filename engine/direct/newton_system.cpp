@@ -4,6 +4,7 @@
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "pushback/chapters/01_velocity_constraint/row.h"
 
@@ -15,14 +16,17 @@ using Eigen::Index;
 using Eigen::Matrix3d;
 using Columns = Eigen::SparseMatrix<double>;
 
+}  // namespace
+
 /// L and U. The pattern is symmetric, and the diagonal nearly always has good pivots, so an order for the symmetric pattern
 /// fills least.
-class Factors {
+class NewtonSystem::Factors {
  public:
   Factors() {
     lu_.isSymmetric(true);
     lu_.setPivotThreshold(1e-3);
   }
+  /// Returns false if the matrix is singular.
   bool factorize(const Columns& matrix) {
     if (!analyzed_) lu_.analyzePattern(matrix);
     analyzed_ = true;
@@ -38,7 +42,8 @@ class Factors {
   bool analyzed_ = false;
 };
 
-class BetweenContacts : public NewtonSystem {
+/// W + D, with 3 rows per contact.
+class NewtonSystem::BetweenContacts {
  public:
   explicit BetweenContacts(const SparseMatrix& w) : w_(w) {
     std::vector<Eigen::Triplet<double>> all_nine;  // of each diagonal block, whatever W has there
@@ -48,24 +53,22 @@ class BetweenContacts : public NewtonSystem {
     diagonal.setFromTriplets(all_nine.begin(), all_nine.end());
     w_ = w_ + diagonal;
   }
-  bool factorize(const std::vector<DiagonalBlock>& blocks) override {
+  Columns matrix_for(const std::vector<DiagonalBlock>& blocks) const {
     Columns matrix = w_;
     for (std::size_t c = 0; c < blocks.size(); ++c)
       for (Index i = 0; i < 3; ++i)
         for (Index j = 0; j < 3; ++j)
           matrix.coeffRef(3 * static_cast<Index>(c) + i, 3 * static_cast<Index>(c) + j) += blocks[c].d(i, j);
-    if (!factors_.factorize(matrix)) return false;
-    count(static_cast<double>(matrix.nonZeros()), factors_.in_l(), factors_.in_u(), static_cast<double>(matrix.rows()));
-    return true;
+    return matrix;
   }
-  Vector solve(const Vector& b) const override { return factors_.solve(b); }
+  static Vector solve(const Factors& factors, const Vector& b) { return factors.solve(b); }
 
  private:
   Columns w_;
-  Factors factors_;
 };
 
-class BetweenBodies : public NewtonSystem {
+/// I + B^T D^-1 B, with 6 rows per body.
+class NewtonSystem::BetweenBodies {
  public:
   explicit BetweenBodies(const SparseMatrix& b) : b_(b), parts_(static_cast<std::size_t>(b.rows() / 3)) {
     std::vector<std::vector<Index>> neighbours(static_cast<std::size_t>(b.cols() / 6));
@@ -79,7 +82,7 @@ class BetweenBodies : public NewtonSystem {
     }
     reserve(neighbours);
   }
-  bool factorize(const std::vector<DiagonalBlock>& blocks) override {
+  const Columns& matrix_for(const std::vector<DiagonalBlock>& blocks) {
     matrix_.coeffs().setZero();
     for (Index i = 0; i < matrix_.cols(); ++i) matrix_.coeffRef(i, i) = 1;
     inverses_.clear();
@@ -88,13 +91,10 @@ class BetweenBodies : public NewtonSystem {
       for (const Part& one : parts_[c])
         for (const Part& other : parts_[c]) add(one, other, one.rows.transpose() * blocks[c].inverse * other.rows);
     }
-    if (!factors_.factorize(matrix_)) return false;
-    count(static_cast<double>(matrix_.nonZeros()), factors_.in_l(), factors_.in_u(),
-          static_cast<double>(matrix_.rows()));
-    return true;
+    return matrix_;
   }
-  Vector solve(const Vector& b) const override {
-    const Vector v = factors_.solve(b_.transpose() * divided(b));
+  Vector solve(const Factors& factors, const Vector& b) const {
+    const Vector v = factors.solve(b_.transpose() * divided(b));
     return divided(b - b_ * v);
   }
 
@@ -143,10 +143,39 @@ class BetweenBodies : public NewtonSystem {
   std::vector<std::vector<Part>> parts_;
   std::vector<Matrix3d> inverses_;
   Columns matrix_;
-  Factors factors_;
 };
 
-}  // namespace
+struct NewtonSystem::Factored {
+  using System = std::variant<BetweenContacts, BetweenBodies>;
+
+  Factored(const SparseMatrix& w, const SparseMatrix& b)
+      : system(b.rows() > 0 ? System(BetweenBodies(b)) : System(BetweenContacts(w))) {}
+
+  System system;
+  Factors factors;
+};
+
+NewtonSystem::NewtonSystem(const SparseMatrix& w, const SparseMatrix& b)
+    : factored_(std::make_unique<Factored>(w, b)) {}
+NewtonSystem::~NewtonSystem() = default;
+
+bool NewtonSystem::factorize(const std::vector<DiagonalBlock>& blocks) {
+  return std::visit(
+      [&](auto& system) {
+        const Columns& matrix = system.matrix_for(blocks);
+        Factors& factors = factored_->factors;
+        if (!factors.factorize(matrix)) return false;
+        entries = static_cast<double>(matrix.nonZeros());
+        fill = factors.in_l() + factors.in_u();
+        work += factors.in_l() * factors.in_u() / static_cast<double>(matrix.rows());
+        return true;
+      },
+      factored_->system);
+}
+
+Vector NewtonSystem::solve(const Vector& b) const {
+  return std::visit([&](const auto& system) { return system.solve(factored_->factors, b); }, factored_->system);
+}
 
 SparseMatrix factor_of(World& world, const Contacts& contacts) {
   std::vector<Matrix3d> root(world.bodies.size());  // R R^T = I^-1
@@ -180,11 +209,6 @@ SparseMatrix factor_of(World& world, const Contacts& contacts) {
 
 SparseMatrix factor_of(World& world) {
   return factor_of(world, world.contacts);
-}
-
-std::unique_ptr<NewtonSystem> make_newton_system(const SparseMatrix& w, const SparseMatrix& b) {
-  if (b.rows() > 0) return std::make_unique<BetweenBodies>(b);
-  return std::make_unique<BetweenContacts>(w);
 }
 
 }  // namespace pushback

@@ -29,24 +29,25 @@ struct DiagonalBlock {
 
 class NewtonSystem {
  public:
-  virtual ~NewtonSystem() = default;
+  /// Analyzes the sparsity pattern, which stays the same. If `b` is empty, the matrix has 3 rows per contact.
+  NewtonSystem(const SparseMatrix& w, const SparseMatrix& b);
+  ~NewtonSystem();
+  NewtonSystem(const NewtonSystem&) = delete;
+  NewtonSystem& operator=(const NewtonSystem&) = delete;
   /// Returns false if the matrix is singular.
-  virtual bool factorize(const std::vector<DiagonalBlock>& blocks) = 0;
-  virtual Vector solve(const Vector& b) const = 0;
+  bool factorize(const std::vector<DiagonalBlock>& blocks);
+  Vector solve(const Vector& b) const;
 
   double entries = 0;  ///< numbers in the matrix
   double fill = 0;     ///< numbers in its factors L and U
   double work = 0;     ///< multiplications so far, as if all columns of L and all rows of U were equally long
 
- protected:
-  void count(double matrix, double l, double u, double rows) {
-    entries = matrix;
-    fill = l + u;
-    work += l * u / rows;
-  }
+ private:
+  class Factors;
+  class BetweenContacts;
+  class BetweenBodies;
+  struct Factored;  // one of the two matrices, and its factors
+  std::unique_ptr<Factored> factored_;
 };
-
-/// The sparsity pattern is analyzed once. If `b` is empty, the system has 3 rows per contact.
-std::unique_ptr<NewtonSystem> make_newton_system(const SparseMatrix& w, const SparseMatrix& b);
 
 }  // namespace pushback

@@ -68,7 +68,8 @@ class Smoothed {
     const double mean = q_.norm() / std::sqrt(static_cast<double>(problem.contacts()));
     unit_ = mean > 0 ? mean : 1;
     q_ /= unit_;
-    system = make_newton_system(w_, factor.rows() > 0 ? SparseMatrix(scale_.asDiagonal() * factor) : SparseMatrix());
+    system = std::make_unique<NewtonSystem>(
+        w_, factor.rows() > 0 ? SparseMatrix(scale_.asDiagonal() * factor) : SparseMatrix());
   }
   std::unique_ptr<NewtonSystem> system;
   double t = 1;

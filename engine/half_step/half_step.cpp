@@ -7,7 +7,7 @@
 
 namespace pushback {
 
-void HalfStep::check(World& world, Real /*h*/) {
+void HalfStepIntegrator::check(World& world, Real /*h*/) {
   HalfStepSettings::check();
   if (most_events < 0)
     throw InvalidInput(fmt::format("most_events is {}: a whole number, 0 or more, is needed", most_events));
@@ -18,12 +18,12 @@ void HalfStep::check(World& world, Real /*h*/) {
 
 /// The margin is the whole step's. If no pair is that near, the substeps need no detection of their own. In a step that is cut, bodies
 /// that are apart are no contacts.
-Plan HalfStep::plan(Real dt) const {
-  if (impacts) return {.sweeps = 1, .margin = {.least = HeldContacts::touches}};
+Plan HalfStepIntegrator::plan(Real dt) const {
+  if (impacts) return {.sweeps = 1, .margin = {.least = HeldContacts::touch_distance}};
   return {.sweeps = 1, .margin = holds_contacts() ? KickDrift::margin(World::g, dt) : Margin{}};
 }
 
-void HalfStep::after_detection(World& world, Real /*h*/) {
+void HalfStepIntegrator::after_detection(World& world, Real /*h*/) {
   if (holds_contacts()) return;
   const auto touches = [](const Contact& contact) { return contact.depth >= 0; };
   const auto found = std::find_if(world.contacts.begin(), world.contacts.end(), touches);
@@ -32,7 +32,7 @@ void HalfStep::after_detection(World& world, Real /*h*/) {
                                  found->id.body_a, found->id.body_b));
 }
 
-bool HalfStep::run(World& world, Real h) {
+bool HalfStepIntegrator::run(World& world, Real h) {
   for (Body& body : world.bodies) {
     body.velocity = body.velocity_before;
     body.angular_velocity = body.angular_velocity_before;
@@ -60,20 +60,20 @@ bool HalfStep::run(World& world, Real h) {
   return true;
 }
 
-void HalfStep::solve(World& world, Real h, int /*sweeps*/) {
+void HalfStepIntegrator::solve(World& world, Real h, int /*sweeps*/) {
   if (!run(world, h)) throw InvalidInput(motion_.failure);
 }
 
-void HalfStep::end_detection(World& world) {
+void HalfStepIntegrator::end_detection(World& world) {
   if (!motion_.contact_free) motion_.contacts.report_sums(world);
 }
 
-void HalfStep::after_move(World& world, Real /*h*/) {
+void HalfStepIntegrator::after_move(World& world, Real /*h*/) {
   restore_states(world, states_);
 }
 
 /// The order of step.h, for one detection and one call of `solve`.
-StepOutcome HalfStep::try_step(World& world, Real dt) {
+StepOutcome HalfStepIntegrator::try_step(World& world, Real dt) {
   AllBodies all_bodies;
   for (Joint& joint : world.joints) std::fill(joint.impulses.begin(), joint.impulses.end(), 0);
   all_bodies.check(world);
@@ -95,7 +95,8 @@ StepOutcome HalfStep::try_step(World& world, Real dt) {
 HalfStep at_impacts(Impacts impacts) {
   HalfStep solver;
   solver.impacts = impacts;
-  solver.tolerance = std::min(solver.tolerance, HeldContacts::touches / 4);  // m, because an error of a joint is no gap
+  solver.tolerance =
+      std::min(solver.tolerance, HeldContacts::touch_distance / 4);  // m, because an error of a joint is no gap
   return solver;
 }
 

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "pushback/common/world/step_solver.h"
+#include "pushback/common/world/solver_from.h"
 #include "pushback/engine/half_step/composition.h"
 #include "pushback/engine/half_step/impact_cuts.h"
 
@@ -16,7 +16,7 @@ struct StepOutcome {
   Real energy_error = 0;  ///< as a fraction of the allowed error, see energy_control.h
 };
 
-/// A solver with its own integrator. World::step calls it at the usual times. Each substep of h is:
+/// The functions of `HalfStep`, a solver with its own integrator. World::step calls them at the usual times. Each substep of h is:
 ///
 ///   v += h/2 M^-1 f(x)                          the first half of the kick
 ///   v += M^-1 J(x)^T lambda                     so that C = 0 after the drift, by Newton's method for lambda
@@ -34,25 +34,25 @@ struct StepOutcome {
 /// If Newton's method does not converge, the step is halved, and each half may be halved again. HalfStep refuses sleeping bodies and
 /// springs whose force has a limit or that oscillate too fast for h. A composed step also refuses whatever does not run backwards in
 /// time, which are damping and forces with limits.
-class HalfStep : public StepSolver, public HalfStepSettings {
+class HalfStepIntegrator : public HalfStepSettings {
  public:
   std::optional<Impacts> impacts;  ///< how impacts are solved at which the step is cut; none: it is not cut
   int most_events = 64;            ///< impacts in a substep; after them contacts are held for the rest of it
   std::span<const Real> composition = one_step;  ///< the steps that make up a substep, see composition.h
 
   using HalfStepSettings::check;
-  Plan plan(Real dt) const override;
-  bool supports_joints() const override { return true; }
-  void check(World& world, Real h) override;
-  void after_detection(World& world, Real h) override;
+  Plan plan(Real dt) const;
+  static bool supports_joints() { return true; }
+  void check(World& world, Real h);
+  void after_detection(World& world, Real h);
   /// A step of h, with its own drift. Ignores `sweeps`. If the step does not converge, moves the bodies back to their old positions
   /// and throws InvalidInput.
-  void solve(World& world, Real h, int sweeps) override;
-  void end_detection(World& world) override;
+  void solve(World& world, Real h, int sweeps);
+  void end_detection(World& world);
   /// Restores the velocities of the bodies. `solve` leaves the bodies at their new positions with zero velocities, so that World::step
   /// does not move them.
-  void after_move(World& world, Real h) override;
-  SolveStats stats() const override { return {motion_.rows(), motion_.speed_error()}; }
+  void after_move(World& world, Real h);
+  SolveStats stats() const { return {motion_.rows(), motion_.speed_error()}; }
 
   /// A step of dt, s, as World::step takes it. If it does not converge, the bodies are restored, but contacts and forces are not.
   StepOutcome try_step(World& world, Real dt);
@@ -70,8 +70,8 @@ class HalfStep : public StepSolver, public HalfStepSettings {
   /// held. Only with `impacts`. The energy is negative if Newton's rule and friction added energy, which happens only with joints.
   int events() const { return cuts_.events(); }
   bool bound_reached() const { return cuts_.bound_reached(); }
-  Real taken() const { return cuts_.taken(); }
-  bool held() const { return cuts_.held(); }
+  Real dissipated_energy() const { return cuts_.dissipated_energy(); }
+  bool contacts_held() const { return cuts_.contacts_held(); }
 
  private:
   bool run(World& world, Real h);
@@ -81,6 +81,8 @@ class HalfStep : public StepSolver, public HalfStepSettings {
   ImpactCuts cuts_;
   std::vector<BodyState> states_;  // of all bodies, at the beginning or at the end of the step
 };
+
+using HalfStep = SolverFrom<HalfStepIntegrator>;
 
 /// A HalfStep that is cut at impacts.
 HalfStep at_impacts(Impacts impacts = Impacts::simultaneous);

@@ -43,19 +43,19 @@ WarmDirectContacts exact_direct_contacts() {
 }
 
 bool HeldContacts::holds(const ContactId& id) const {
-  return !only || std::binary_search(only->begin(), only->end(),
-                                     BodyPair(static_cast<int>(id.body_a), static_cast<int>(id.body_b)));
+  return !held_pairs || std::binary_search(held_pairs->begin(), held_pairs->end(),
+                                           BodyPair(static_cast<int>(id.body_a), static_cast<int>(id.body_b)));
 }
 
-void HeldContacts::add_borne(const World& world, std::vector<Vec3>& accelerations) const {
+void HeldContacts::add_loads(const World& world, std::vector<Vec3>& accelerations) const {
   for (const ContactMemory& known : known_) {
-    if (known.borne.isZero(0) || !holds(known.id)) continue;
-    accelerations[known.id.body_a] -= world.bodies[known.id.body_a].inverse_mass * known.borne;
-    accelerations[known.id.body_b] += world.bodies[known.id.body_b].inverse_mass * known.borne;
+    if (known.load.isZero(0) || !holds(known.id)) continue;
+    accelerations[known.id.body_a] -= world.bodies[known.id.body_a].inverse_mass * known.load;
+    accelerations[known.id.body_b] += world.bodies[known.id.body_b].inverse_mass * known.load;
   }
 }
 
-void HeldContacts::look(const World& world) {
+void HeldContacts::store_approach(const World& world) {
   for (std::size_t i = 0; i < known_.size(); ++i) {
     const Contact& contact = world.contacts[i];
     const auto [a, b] = world.bodies_of(contact);
@@ -66,11 +66,11 @@ void HeldContacts::look(const World& world) {
 }
 
 void HeldContacts::begin(const World& world) {
-  newton_.work = most_work;
-  newton_.largest = most_work / least_matrices;
-  newton_.near = 1e-3;
-  newton_.forget();
-  newton_.factored = 0;
+  newton_.work_left = most_work;
+  newton_.most_matrix_work = most_work / least_matrices;
+  newton_.small_error = 1e-3;
+  newton_.discard_matrix();
+  newton_.factorizations = 0;
   newton_.too_large = false;
   known_.clear();
   sums_.clear();
@@ -78,12 +78,11 @@ void HeldContacts::begin(const World& world) {
   for (const Contact& contact : world.contacts) {
     ContactMemory& known = known_.emplace_back(ContactMemory{.id = contact.id});
     while (old != world.contacts_before.end() && old->id < contact.id) ++old;
-    if (old != world.contacts_before.end() && old->id == contact.id)
-      known.borne = world.impulse_scale(1) * old->impulse;
+    if (old != world.contacts_before.end() && old->id == contact.id) known.load = world.impulse_scale(1) * old->impulse;
   }
 }
 
-void HeldContacts::add(const World& world, std::size_t contact, const Vec3& impulses) {
+void HeldContacts::add_impact(const World& world, std::size_t contact, const Vec3& impulses) {
   known_[contact].total += impulses;
   const Vec3& n = world.contacts[contact].normal;
   const auto [tangent1, tangent2] = tangents_of(n);
@@ -108,13 +107,13 @@ void HeldContacts::after_detection(const World& world) {
 
 /// The impulses of the stage before are the guess. Solves from there, if the guess is not the solution.
 bool HeldContacts::solve(World& world, Real h) {
-  const double residual = stage_.residual(world), before = std::exchange(left_, 0);
+  const double residual = stage_.residual(world), before = std::exchange(previous_residual_, 0);
   if (residual <= direct_.tolerance) {
-    left_ = residual * stage_.unit();
+    previous_residual_ = residual * stage_.unit();
     return true;
   }
   const double arose = 1 - std::min(before / (residual * stage_.unit()), direct_.tolerance / residual);
-  lasting_ = std::min(1.0, 2 * arose);  // both stages of a substep give the next guess half of it
+  adopted_fraction_ = std::min(1.0, 2 * arose);  // both stages of a substep give the next guess half of it
   do {
     newton_.clear();
     stage_.add_to(newton_, world);
@@ -122,21 +121,22 @@ bool HeldContacts::solve(World& world, Real h) {
     stage_.read_rows(world);
   } while (stage_.release_reversed(world));
   if (stage_.residual(world) <= direct_.fallback_tolerance) return true;
-  if (fall_back_to_full_solve && !newton_.too_large) return solve_from_nothing(world, h);
-  failure_ = newton_.too_large ? WarmDirectContacts::too_large_message(stage_.size())
-                               : fmt::format("{} contacts are not solved from what they bore", stage_.size());
+  if (fall_back_to_full_solve && !newton_.too_large) return solve_without_guess(world, h);
+  failure_ = newton_.too_large
+                 ? WarmDirectContacts::too_large_message(stage_.size())
+                 : fmt::format("{} contacts are not solved from the loads of the previous step", stage_.size());
   return false;
 }
 
 /// As chapter 17 does.
-bool HeldContacts::solve_from_nothing(World& world, Real h) {
+bool HeldContacts::solve_without_guess(World& world, Real h) {
   stage_.release_all();
   stage_.build_rows(world);
   touching_.clear();
   for (const StageContact& at : stage_) touching_.push_back(world.contacts[at.index]);
   world.contacts.swap(touching_);  // chapter 17 solves the contacts of the world
   StepContext step{world, world.contacts, stage_.rows(), h};
-  direct_.work = newton_.work;
+  direct_.work = newton_.work_left;
   failure_ = direct_.try_start(step) ? "" : WarmDirectContacts::too_large_message(stage_.size());
   for (std::size_t k = 0; k < stage_.size() && failure_.empty(); ++k) {
     const ContactId& id = world.contacts[k].id;
@@ -146,45 +146,44 @@ bool HeldContacts::solve_from_nothing(World& world, Real h) {
   }
   world.contacts.swap(touching_);
   if (!failure_.empty()) return false;
-  newton_.work = direct_.work;
+  newton_.work_left = direct_.work;
   stage_.read_rows(world);
   return true;
 }
 
-bool HeldContacts::press(World& world, Real h) {
-  begin_pressing(world, h);
+bool HeldContacts::solve_positions(World& world, Real h) {
+  begin_positions(world, h);
   if (!solve(world, h)) return false;
-  end_pressing(world, h);
+  end_positions(world, h);
   return true;
 }
 
-bool HeldContacts::project(World& world, Real h) {
-  begin_projecting(world, h);
+bool HeldContacts::solve_velocities(World& world, Real h) {
+  begin_velocities(world, h);
   if (!solve(world, h)) return false;
-  end_projecting(world, h);
+  end_velocities(world, h);
   return true;
 }
 
 /// What overlaps comes out by a tenth in a hundredth of a second, or no faster than the second half of the kick takes back: h g / 4.
 /// Its speed is lost to friction, so slowly is better than at once.
-void HeldContacts::begin_pressing(World& world, Real h) {
+void HeldContacts::begin_positions(World& world, Real h) {
   const Real fastest = h * world.gravity.norm() / 4;
   double left = 0;
   stage_.clear();
   for (std::size_t i = 0; i < known_.size(); ++i) {
     known_[i].pressed = false;
     if (!holds(known_[i].id)) {
-      known_[i].borne.setZero();
+      known_[i].load.setZero();
       continue;
     }
     const Real depth = world.contacts[i].depth, gap = std::abs(depth) > level ? -depth : 0;
     const Real slip = known_[i].slip.norm();
     const bool slides = slip > creeps && world.contacts[i].friction > 0;
-    const Real bias = (gap < 0 ? -std::min({-gap / h, -10 * gap, fastest}) : gap / h) - known_[i].bends / h;
-    known_[i].bends = 0;
+    const Real bias = (gap < 0 ? -std::min({-gap / h, -10 * gap, fastest}) : gap / h) - known_[i].deepening / h;
+    known_[i].deepening = 0;
     const Vec3& n = world.contacts[i].normal;
-    StageContact at{i, bias, Vec3::Zero(), h / 2 * known_[i].borne,
-                    slides ? Vec3(known_[i].slip / slip) : Vec3::Zero()};
+    StageContact at{i, bias, Vec3::Zero(), h / 2 * known_[i].load, slides ? Vec3(known_[i].slip / slip) : Vec3::Zero()};
     if (!slides && world.contacts[i].friction != 0) {
       const auto [a, b] = world.bodies_of(world.contacts[i]);
       const Vec3& point = world.contacts[i].point;
@@ -196,53 +195,53 @@ void HeldContacts::begin_pressing(World& world, Real h) {
     stage_.add(at);
   }
   stage_.apply_guess(world, direct_.tolerance);
-  left_ = std::sqrt(left);
-  lasting_ = 1;
+  previous_residual_ = std::sqrt(left);
+  adopted_fraction_ = 1;
 }
 
 /// N s: the impulse of the stage, without what takes back the errors of earlier stages.
-Vec3 HeldContacts::lasting_impulse(const StageContact& at, Real h) const {
-  if (lasting_ == 1) return at.impulse;
-  const Vec3 guess = h / 2 * known_[at.index].borne;
-  return guess + static_cast<Real>(lasting_) * (at.impulse - guess);
+Vec3 HeldContacts::adopted_impulse(const StageContact& at, Real h) const {
+  if (adopted_fraction_ == 1) return at.impulse;
+  const Vec3 guess = h / 2 * known_[at.index].load;
+  return guess + static_cast<Real>(adopted_fraction_) * (at.impulse - guess);
 }
 
-void HeldContacts::end_pressing(const World& world, Real h) {
+void HeldContacts::end_positions(const World& world, Real h) {
   for (const StageContact& at : stage_) {
     ContactMemory& known = known_[at.index];
-    known.pressing = lasting_impulse(at, h);
-    known.total += components(known.pressing, world.contacts[at.index].normal);
+    known.position_impulse = adopted_impulse(at, h);
+    known.total += components(known.position_impulse, world.contacts[at.index].normal);
     sums_.add(world.contacts[at.index], at.impulse, known.sum);
-    if (known.borne.isZero(0)) known.borne = 2 / h * at.impulse;
+    if (known.load.isZero(0)) known.load = 2 / h * at.impulse;
     known.pressed = at.impulse.dot(world.contacts[at.index].normal) > 0;
   }
 }
 
-void HeldContacts::begin_projecting(World& world, Real h) {
+void HeldContacts::begin_velocities(World& world, Real h) {
   stage_.clear();
   for (std::size_t i = 0; i < known_.size(); ++i) {
     ContactMemory& known = known_[i];
     known.last.setZero();
-    if (!holds(known.id) || (!known.pressed && world.contacts[i].depth <= -touches)) {
-      known.borne.setZero();
+    if (!holds(known.id) || (!known.pressed && world.contacts[i].depth <= -touch_distance)) {
+      known.load.setZero();
       continue;
     }
     const bool bounces = known.approach < -threshold;
     const Real bias = bounces ? world.contacts[i].restitution * known.approach : 0;
-    stage_.add({i, bias, Vec3::Zero(), h / 2 * known.borne, Vec3::Zero()});
+    stage_.add({i, bias, Vec3::Zero(), h / 2 * known.load, Vec3::Zero()});
   }
   stage_.apply_guess(world, direct_.tolerance);
-  lasting_ = 1;
+  adopted_fraction_ = 1;
 }
 
-void HeldContacts::end_projecting(const World& world, Real h) {
+void HeldContacts::end_velocities(const World& world, Real h) {
   for (const StageContact& at : stage_) {
     ContactMemory& known = known_[at.index];
-    const Vec3 lasting = lasting_impulse(at, h);
+    const Vec3 lasting = adopted_impulse(at, h);
     known.total += components(lasting, world.contacts[at.index].normal);
     sums_.add(world.contacts[at.index], at.impulse, known.sum);
     known.last = at.impulse;
-    known.borne = (known.pressing + lasting) / h;
+    known.load = (known.position_impulse + lasting) / h;
   }
 }
 

@@ -44,50 +44,50 @@ inline BodyPair pair_of(const Contact& at) {
 class HeldContacts {
  public:
   /// A gap up to this is rounding, m.
-  static constexpr Real touches = std::numeric_limits<Real>::digits > 24 ? Real(1e-9) : Real(1e-5);
+  static constexpr Real touch_distance = std::numeric_limits<Real>::digits > 24 ? Real(1e-9) : Real(1e-5);
 
   Real threshold = Real(0.1);  ///< m/s; slower impacts do not bounce
   double most_work = 1e10;     ///< approximate multiplications from one `begin` to the next, before a stage fails
   /// Whether a stage is solved without a guess (chapter 17) if Newton's method fails from the guess. If not, the stage fails.
   bool fall_back_to_full_solve = true;
   /// Contacts are held only for these pairs, ascending, or for all pairs if not given.
-  std::optional<std::vector<BodyPair>> only;
+  std::optional<std::vector<BodyPair>> held_pairs;
   bool holds(const ContactId& id) const;
 
   /// Begins with World::contacts, which are for the present positions. Their previous impulses come from World::contacts_before.
   void begin(const World& world);
   /// Stores the approach speed and the slip of each touching contact at the start of a step.
-  void look(const World& world);
+  void store_approach(const World& world);
   /// The first stage. Returns false if it cannot be solved, and then `failure` gives the reason.
-  bool press(World& world, Real h);
+  bool solve_positions(World& world, Real h);
   /// Continues with World::contacts, which have been detected again at the present positions.
   void after_detection(const World& world);
-  /// Announces that the drift after the next `press` will deepen this contact of World::contacts by `depth` m more than J and earlier
-  /// calls predict, because the bodies rotate. `press` then requires a gap that is larger by `depth`.
-  void bends(std::size_t contact, Real depth) { known_[contact].bends += depth; }
-  /// The second stage. Returns false as `press` does.
-  bool project(World& world, Real h);
+  /// Announces that the drift after the next `solve_positions` will deepen this contact of World::contacts by `depth` m more than J and earlier
+  /// calls predict, because the bodies rotate. `solve_positions` then requires a gap that is larger by `depth`.
+  void expect_deepening(std::size_t contact, Real depth) { known_[contact].deepening += depth; }
+  /// The second stage. Returns false as `solve_positions` does.
+  bool solve_velocities(World& world, Real h);
   const std::string& failure() const { return failure_; }
   /// Adds an impulse that acted at a contact of World::contacts between two steps, N s, along its normal, its first and its second
-  /// tangent. Call `look` after the last one.
-  void add(const World& world, std::size_t contact, const Vec3& impulses);
+  /// tangent. Call `store_approach` after the last one.
+  void add_impact(const World& world, std::size_t contact, const Vec3& impulses);
   /// Adds to each body's acceleration (m/s^2) the acceleration by the held contacts, if they carry the same load as in the previous
   /// stage.
-  void add_borne(const World& world, std::vector<Vec3>& accelerations) const;
+  void add_loads(const World& world, std::vector<Vec3>& accelerations) const;
 
   // ---- together with joints, where each stage has two parts and another solver runs in between -------------------
-  void begin_pressing(World& world, Real h);
-  void end_pressing(const World& world, Real h);
-  void begin_projecting(World& world, Real h);
-  void end_projecting(const World& world, Real h);
+  void begin_positions(World& world, Real h);
+  void end_positions(const World& world, Real h);
+  void begin_velocities(World& world, Real h);
+  void end_velocities(const World& world, Real h);
   /// Adds the rows of the contacts that take part. They start from the guess, which has been applied to the bodies.
   void add_to(NewtonFromGuess& newton, World& world) { stage_.add_to(newton, world); }
   /// Stores the impulses of these rows.
-  void take(const World& world) { stage_.read_rows(world); }
+  void read_rows(const World& world) { stage_.read_rows(world); }
   /// Whether some contacts would now slide in the opposite direction. They are tried as sticking, and the rows must be rebuilt.
-  bool turns_back(const World& world) { return stage_.release_reversed(world); }
+  bool release_reversed(const World& world) { return stage_.release_reversed(world); }
   /// Lets Coulomb's law decide which contacts slide, and in which direction. The rows must be rebuilt.
-  void find_out() { stage_.release_all(); }
+  void release_all() { stage_.release_all(); }
 
   /// Sets Contact::impulse to the sum since `begin`, projected to the present cone, and Contact::state. The next step starts from both.
   void report(World& world) const;
@@ -95,36 +95,36 @@ class HeldContacts {
   void report_sums(World& world) const { sums_.write_to(world.contacts); }
 
   /// The number of matrices factored since `begin`. 0 if the guess was the solution.
-  int factored() const { return newton_.factored; }
+  int factorizations() const { return newton_.factorizations; }
   /// Whether the first matrix since `begin` would have taken more than an eighth of most_work, so that it was not made.
-  bool too_large() const { return newton_.too_large && newton_.factored == 0; }
+  bool too_large() const { return newton_.too_large && newton_.factorizations == 0; }
   /// The multiplications that count towards most_work.
-  double work_left() const { return newton_.work; }
+  double work_left() const { return newton_.work_left; }
   int rows() const { return 3 * static_cast<int>(stage_.size()); }
 
  private:
   struct ContactMemory {  // of one contact, found by its id
     ContactId id;
-    Vec3 borne = Vec3::Zero();            // N, in both stages of the previous substep
-    Vec3 pressing = Vec3::Zero();         // N s, in the first stage
-    Vec3 total = Vec3::Zero();            // N s, since `begin`, along the normal and both tangents of each stage
-    Vec3 last = Vec3::Zero();             // N s, in the second stage
-    Real approach = 0;                    // J v at the beginning of the step, m/s
-    Vec3 slip = Vec3::Zero();             // u_t then, m/s
-    bool pressed = false;                 // in the first stage
-    Real bends = 0;                       // m, see `bends`
-    std::size_t sum = ContactSums::none;  // its place in sums_
+    Vec3 load = Vec3::Zero();              // N, in both stages of the previous substep
+    Vec3 position_impulse = Vec3::Zero();  // N s, in the first stage
+    Vec3 total = Vec3::Zero();             // N s, since `begin`, along the normal and both tangents of each stage
+    Vec3 last = Vec3::Zero();              // N s, in the second stage
+    Real approach = 0;                     // J v at the beginning of the step, m/s
+    Vec3 slip = Vec3::Zero();              // u_t then, m/s
+    bool pressed = false;                  // in the first stage
+    Real deepening = 0;                    // m, see `expect_deepening`
+    std::size_t sum = ContactSums::none;   // its place in sums_
   };
   bool solve(World& world, Real h);
-  Vec3 lasting_impulse(const StageContact& at, Real h) const;
-  bool solve_from_nothing(World& world, Real h);
+  Vec3 adopted_impulse(const StageContact& at, Real h) const;
+  bool solve_without_guess(World& world, Real h);
 
   WarmDirectContacts direct_ = exact_direct_contacts();
   NewtonFromGuess newton_;
   StageContacts stage_;
-  double left_ = 0;     // m/s, the residual of the previous stage
-  double lasting_ = 1;  // the fraction of the difference between solution and guess that the next guess adopts
-  Contacts touching_;   // the touching contacts of stage_
+  double previous_residual_ = 0;  // m/s, the residual of the previous stage
+  double adopted_fraction_ = 1;  // the fraction of the difference between solution and guess that the next guess adopts
+  Contacts touching_;            // the touching contacts of stage_
   std::string failure_;
   std::vector<ContactMemory> known_, known_before_;  // of World::contacts, ascending
   ContactSums sums_;                                 // since `begin`

@@ -16,11 +16,11 @@ constexpr Real brief = Real(1) / 1024;                    // s: the step length 
 }  // namespace
 
 void HeldJoints::begin(const World& world) {
-  joints_held_.clear();
+  joint_bodies_.clear();
   joints_.clear();
   equations_.clear();
   held_.clear();
-  taken_.clear();
+  in_matrix_.clear();
   linear_ = true;
   springs_ = false;
   for (std::size_t i = 0; i < world.joints.size(); ++i) {
@@ -30,7 +30,7 @@ void HeldJoints::begin(const World& world) {
     const std::size_t before = equations_.size();
     joint.ask(a, b, {world.time, brief}, equations_);
     const std::size_t count = equations_.size() - before;
-    joints_held_.push_back(
+    joint_bodies_.push_back(
         {a.movable() ? joint.a : not_moving, b.movable() ? joint.b : not_moving, static_cast<int>(count)});
     joints_.push_back(i);
     for (std::size_t n = 0; n < count; ++n) {
@@ -42,8 +42,8 @@ void HeldJoints::begin(const World& world) {
                   : !std::isfinite(equation.lo) && !std::isfinite(equation.hi) ? Kind::rigid
                   : !joint.driven && equation.lo == 0 && equation.hi > 0       ? Kind::limit
                                                                                : Kind::motor;
-      if (n < joint.last_impulses.size()) held.borne = world.impulse_scale(1) * joint.last_impulses[n];
-      taken_.push_back(held.kind == Kind::rigid);
+      if (n < joint.last_impulses.size()) held.load = world.impulse_scale(1) * joint.last_impulses[n];
+      in_matrix_.push_back(held.kind == Kind::rigid);
       springs_ = springs_ || held.kind == Kind::spring;
       linear_ = linear_ && (held.kind == Kind::rigid || held.kind == Kind::spring);
     }
@@ -55,14 +55,14 @@ template <class Act>
 void HeldJoints::each(const World& world, const TimeStep& now, Kind kind, const Act& act) {
   std::size_t row = 0;
   for (std::size_t k = 0; k < joints_.size(); ++k) {
-    const auto first = held_.begin() + std::ptrdiff_t(row), end = first + joints_held_[k].rows;
-    row += std::size_t(joints_held_[k].rows);
+    const auto first = held_.begin() + std::ptrdiff_t(row), end = first + joint_bodies_[k].rows;
+    row += std::size_t(joint_bodies_[k].rows);
     if (std::none_of(first, end, [kind](const HeldRow& held) { return held.kind == kind; })) continue;
     const Joint& joint = world.joints[joints_[k]];
-    asked_.clear();
-    joint.ask(world.body(joint.a), world.body(joint.b), now, asked_);
+    evaluated_.clear();
+    joint.ask(world.body(joint.a), world.body(joint.b), now, evaluated_);
     for (auto held = first; held != end; ++held)
-      if (held->kind == kind) act(*held, asked_[std::size_t(held - first)], std::size_t(held - held_.begin()));
+      if (held->kind == kind) act(*held, evaluated_[std::size_t(held - first)], std::size_t(held - held_.begin()));
   }
 }
 
@@ -71,12 +71,13 @@ void HeldJoints::check(const World& world, bool both_ways) {
   find_springs(world);
   std::size_t row = 0;
   for (std::size_t k = 0; k < joints_.size(); ++k)
-    for (int n = 0; n < joints_held_[k].rows; ++n, ++row) {
+    for (int n = 0; n < joint_bodies_[k].rows; ++n, ++row) {
       const std::string& name = world.joints[joints_[k]].name;
       const HeldRow& held = held_[row];
       const bool limited = std::isfinite(held.lo) || std::isfinite(held.hi);
       if (held.kind == Kind::spring && limited)
-        throw InvalidInput(fmt::format("the world has {} whose force has a limit: half steps do not know both", name));
+        throw InvalidInput(fmt::format(
+            "the world has {} whose force has a limit: half steps cannot solve a spring with a force limit", name));
       if (both_ways && (limited || held.damping > 0))
         throw InvalidInput(fmt::format("the world has {} {}: a composed step goes back in time, and it does not", name,
                                        limited ? "whose force has a limit" : "that damps"));
@@ -101,7 +102,7 @@ void HeldJoints::find_springs(const World& world) {
   for (const HeldRow& held : held_) linear_ = linear_ && held.damping == 0;
 }
 
-Real HeldJoints::ask(const World& world, Real time) {
+Real HeldJoints::evaluate(const World& world, Real time) {
   equations_.clear();
   Real largest = 0;
   for (const std::size_t i : joints_) {
@@ -119,20 +120,20 @@ Real HeldJoints::ask(const World& world, Real time) {
   return largest;
 }
 
-void HeldJoints::place(World& world, Real time, Real h) {
+void HeldJoints::build_rows(World& world, Real time, Real h) {
   rows_.clear();
   std::size_t row = 0;
   for (std::size_t k = 0; k < joints_.size(); ++k) {
     Joint& joint = world.joints[joints_[k]];
     Body &a = world.body(joint.a), &b = world.body(joint.b);
     if (joint.driven) {  // dC/dt, from half a step before to half a step after
-      asked_.clear();
-      joint.ask(a, b, {time - h / 2, h}, asked_);
+      evaluated_.clear();
+      joint.ask(a, b, {time - h / 2, h}, evaluated_);
     }
-    for (int n = 0; n < joints_held_[k].rows; ++n, ++row) {
+    for (int n = 0; n < joint_bodies_[k].rows; ++n, ++row) {
       rows_.emplace_back(a, b, equations_[row].jacobian, joints_[k], 0);
-      held_[row].moving = joint.driven ? asked_[static_cast<std::size_t>(n)].bias : 0;
-      rows_.back().bias = held_[row].moving;
+      held_[row].error_rate = joint.driven ? evaluated_[static_cast<std::size_t>(n)].bias : 0;
+      rows_.back().bias = held_[row].error_rate;
       if (held_[row].kind == Kind::limit) held_[row].c = equations_[row].error + brief * equations_[row].bias;
     }
   }
@@ -141,7 +142,7 @@ void HeldJoints::place(World& world, Real time, Real h) {
 }
 
 void HeldJoints::solve(std::vector<double>& lambda) {
-  if (!factored_) matrix_.factor(rows_, joints_held_, taken_);
+  if (!factored_) matrix_.factor(rows_, joint_bodies_, in_matrix_);
   factored_ = true;
   matrix_.solve(lambda);
 }
@@ -155,7 +156,7 @@ void HeldJoints::apply(const std::vector<double>& lambda) {
   }
 }
 
-std::string HeldJoints::pull(const World& world, Real h) {
+std::string HeldJoints::apply_springs_before_drift(const World& world, Real h) {
   if (!springs_) return {};
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const HeldRow& held = held_[i];
@@ -172,7 +173,7 @@ std::string HeldJoints::pull(const World& world, Real h) {
   return {};
 }
 
-void HeldJoints::pull_on(Real h) {
+void HeldJoints::apply_springs_after_drift(Real h) {
   if (!springs_) return;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const HeldRow& held = held_[i];
@@ -182,23 +183,23 @@ void HeldJoints::pull_on(Real h) {
   }
 }
 
-void HeldJoints::start(Real h) {
+void HeldJoints::warm_start(Real h) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const HeldRow& held = held_[i];
     if (held.kind == Kind::spring) continue;
     rows_[i].impulse = 0;
-    if (held.kind == Kind::rigid || held.takes_part) rows_[i].reach(h / 2 * held.borne);
+    if (held.kind == Kind::rigid || held.active) rows_[i].reach(h / 2 * held.load);
   }
 }
 
-void HeldJoints::press(Real h) {
+void HeldJoints::solve_positions(Real h) {
   lambda_.clear();
   for (const Equation& equation : equations_) lambda_.push_back(static_cast<double>(-equation.error / h));
   solve(lambda_);
   apply(lambda_);
 }
 
-void HeldJoints::project(Real h) {
+void HeldJoints::solve_velocities(Real h) {
   lambda_.clear();
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     if (held_[i].kind == Kind::rigid) rows_[i].impulse = 0;
@@ -206,31 +207,31 @@ void HeldJoints::project(Real h) {
   }
   solve(lambda_);
   apply(lambda_);
-  projected(h);
+  end_velocities(h);
 }
 
-void HeldJoints::pressed() {
+void HeldJoints::end_positions() {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    held_[i].pressing = rows_[i].impulse;
+    held_[i].position_impulse = rows_[i].impulse;
     held_[i].total += rows_[i].impulse;
   }
 }
 
-void HeldJoints::projected(Real h) {
+void HeldJoints::end_velocities(Real h) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    held_[i].borne = 2 * rows_[i].impulse / h;
+    held_[i].load = 2 * rows_[i].impulse / h;
     held_[i].total += rows_[i].impulse;
   }
 }
 
-void HeldJoints::aim(const World& world, Real time, Real h) {
+void HeldJoints::prepare_positions(const World& world, Real time, Real h) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     HeldRow& held = held_[i];
     if (held.kind != Kind::limit) continue;
     rows_[i].lo = 0;
     rows_[i].bias = held.c / h;
-    held.takes_part = true;
-    held.overlapped = held.c < -reached;
+    held.active = true;
+    held.was_violated = held.c < -reached;
   }
   each(world, {time, h}, Kind::motor, [this, h](HeldRow& held, const Equation& equation, std::size_t i) {
     rows_[i].lo = h / 2 * held.lo;
@@ -239,13 +240,13 @@ void HeldJoints::aim(const World& world, Real time, Real h) {
   });
 }
 
-void HeldJoints::aim_rigid(Real h) {
+void HeldJoints::prepare_rigid(Real h) {
   for (std::size_t i = 0; i < rows_.size(); ++i)
     if (held_[i].kind == Kind::rigid) rows_[i].bias = equations_[i].error / h - rows_[i].speed();
 }
 
 /// A row that was beyond its limit must not keep that speed, so its second impulse may be negative, but not the sum.
-void HeldJoints::settle(Real h) {
+void HeldJoints::prepare_velocities(Real h) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     HeldRow& held = held_[i];
     JointRow& row = rows_[i];
@@ -253,8 +254,8 @@ void HeldJoints::settle(Real h) {
       case Kind::rigid:
         break;
       case Kind::limit:
-        held.takes_part = held.pressing > 0 || held.c < reached;
-        row.lo = held.overlapped ? -held.pressing : 0;
+        held.active = held.position_impulse > 0 || held.c < reached;
+        row.lo = held.was_violated ? -held.position_impulse : 0;
         break;
       case Kind::motor:
         row.lo = h / 2 * held.lo;
@@ -271,12 +272,12 @@ void HeldJoints::settle(Real h) {
 void HeldJoints::add_to(NewtonFromGuess& newton, bool second) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const HeldRow& held = held_[i];
-    if (held.kind == Kind::limit ? held.takes_part : held.kind != Kind::spring || (second && held.damping > 0))
+    if (held.kind == Kind::limit ? held.active : held.kind != Kind::spring || (second && held.damping > 0))
       newton.add(rows_[i]);
   }
 }
 
-void HeldJoints::strike(NewtonFromGuess& newton) {
+void HeldJoints::add_impact_to(NewtonFromGuess& newton) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const HeldRow& held = held_[i];
     JointRow& row = rows_[i];
@@ -284,12 +285,12 @@ void HeldJoints::strike(NewtonFromGuess& newton) {
     const bool stops = held.kind == Kind::limit && held.c < reached;
     if (held.kind != Kind::rigid && !stops) continue;
     if (stops) row.lo = 0;
-    row.bias = held.moving;
+    row.bias = held.error_rate;
     newton.add(row);
   }
 }
 
-void HeldJoints::struck() {
+void HeldJoints::end_impact() {
   for (std::size_t i = 0; i < rows_.size(); ++i) held_[i].total += rows_[i].impulse;
 }
 
@@ -297,7 +298,7 @@ void HeldJoints::report(World& world) const {
   auto held = held_.begin();
   for (std::size_t k = 0; k < joints_.size(); ++k) {
     Joint& joint = world.joints[joints_[k]];
-    joint.impulses.resize(static_cast<std::size_t>(joints_held_[k].rows));
+    joint.impulses.resize(static_cast<std::size_t>(joint_bodies_[k].rows));
     joint.last_impulses.clear();
     for (Real& impulse : joint.impulses) {
       joint.last_impulses.push_back((held++)->total);

@@ -27,27 +27,27 @@ class HeldJoints {
   /// Evaluates all joints at the present positions. The load of each row comes from World::joints, as the latest step left it.
   void begin(const World& world);
   /// Evaluates C of the rigid equations at the present positions and at this time (s). Returns the largest |C|.
-  Real ask(const World& world, Real time);
-  /// Builds the rows from the latest `ask` and the bodies' I^-1.
-  void place(World& world, Real time, Real h);
+  Real evaluate(const World& world, Real time);
+  /// Builds the rows from the latest `evaluate` and the bodies' I^-1.
+  void build_rows(World& world, Real time, Real h);
   /// Applies the first half of the spring impulses, by the velocities before it. Returns the reason if h is too long for a spring.
-  std::string pull(const World& world, Real h);
+  std::string apply_springs_before_drift(const World& world, Real h);
   /// Applies the second half, for springs without damping.
-  void pull_on(Real h);
+  void apply_springs_after_drift(Real h);
   /// Applies the expected impulses of the rows in half of h.
-  void start(Real h);
-  /// Solves the first stage for the C of the latest `ask`:   A lambda = -C / h
-  void press(Real h);
+  void warm_start(Real h);
+  /// Solves the first stage for the C of the latest `evaluate`:   A lambda = -C / h
+  void solve_positions(Real h);
   /// Solves the second stage of a step of h:   A lambda = -(J v + dC/dt)
-  void project(Real h);
+  void solve_velocities(Real h);
   /// Ends the first stage and adds its impulses to the sums.
-  void pressed();
+  void end_positions();
   /// Ends the second stage likewise. Its impulses become the expected impulses of the next step.
-  void projected(Real h);
+  void end_velocities(Real h);
   /// Adds to `newton` the rows of an impact at the present positions, for rigid equations and for limits that are reached.
-  void strike(NewtonFromGuess& newton);
+  void add_impact_to(NewtonFromGuess& newton);
   /// Adds the impulses of the impact to the sums.
-  void struck();
+  void end_impact();
   /// Sets Joint::impulses and last_impulses to the sums since `begin`.
   void report(World& world) const;
 
@@ -60,11 +60,11 @@ class HeldJoints {
 
   // ---- together with contacts -------------------------------------------------------------------------------------
   /// Sets bias and limits of limits and motors for the first stage of h, at the present positions.
-  void aim(const World& world, Real time, Real h);
-  /// Sets the bias of rigid equations so that J v + b = C / h, with the C of the latest `ask`.
-  void aim_rigid(Real h);
+  void prepare_positions(const World& world, Real time, Real h);
+  /// Sets the bias of rigid equations so that J v + b = C / h, with the C of the latest `evaluate`.
+  void prepare_rigid(Real h);
   /// Sets bias and limits of all equations for the second stage.
-  void settle(Real h);
+  void prepare_velocities(Real h);
   /// Adds the rows of the first or of the second stage to `newton`.
   void add_to(NewtonFromGuess& newton, bool second);
 
@@ -73,14 +73,14 @@ class HeldJoints {
   struct HeldRow {  // of each row
     Kind kind;
     Real lo, hi;                      // N
-    Real borne = 0;                   // N, in the previous stage
+    Real load = 0;                    // N, in the previous stage
     Real total = 0;                   // N s, since `begin`
-    Real moving = 0;                  // dC/dt, m/s
+    Real error_rate = 0;              // dC/dt, m/s
     Real stiffness = 0, damping = 0;  // k (N/m), c (N s/m)
     Real c = 0;                       // C of a spring or of a limit, m
-    Real pressing = 0;                // N s, in the first stage
-    bool takes_part = true;           // for a limit: whether it is reached
-    bool overlapped = false;          // for a limit: whether it was violated at the beginning of the step
+    Real position_impulse = 0;        // N s, in the first stage
+    bool active = true;               // for a limit: whether it is reached
+    bool was_violated = false;        // for a limit: whether it was violated at the beginning of the step
   };
   void apply(const std::vector<double>& lambda);
   void solve(std::vector<double>& lambda);
@@ -93,11 +93,11 @@ class HeldJoints {
   bool factored_ = false;
   bool linear_ = true, springs_ = false;
   JointRows rows_;
-  Equations equations_, asked_;
-  std::vector<JointMatrix::JointBodies> joints_held_;
+  Equations equations_, evaluated_;
+  std::vector<JointMatrix::JointBodies> joint_bodies_;
   std::vector<HeldRow> held_;
-  std::vector<std::size_t> joints_;  // the index in the world of each element of joints_held_
-  std::vector<char> taken_;          // for each row, whether A contains it
+  std::vector<std::size_t> joints_;  // the index in the world of each element of joint_bodies_
+  std::vector<char> in_matrix_;      // for each row, whether A contains it
   std::vector<double> lambda_;
   std::size_t worst_ = 0;
 };

@@ -29,11 +29,11 @@ void ImpactCuts::find_accelerations(const KickDrift& motion, const World& world)
     accelerations_.push_back(by.linear);
     turning_.push_back(by.angular);
   }
-  motion.contacts.add_borne(world, accelerations_);
+  motion.contacts.add_loads(world, accelerations_);
 }
 
 /// m/s^2: how the two are pressed together. The share of joints is not known, so with joints it is taken to be gravity's.
-Real ImpactCuts::pressing(const World& world, const Contact& at) const {
+Real ImpactCuts::pressing_acceleration(const World& world, const Contact& at) const {
   if (!world.joints.empty()) return world.gravity.norm();
   return at.normal.dot(accelerations_[at.id.body_a] - accelerations_[at.id.body_b]);
 }
@@ -48,17 +48,17 @@ bool ImpactCuts::bounce(KickDrift& motion, World& world, Real h, const std::vect
     rows.emplace_back(world, contacts[k], tangent1, k);
     rows.emplace_back(world, contacts[k], tangent2, k);
   }
-  Real rounding = stands;
+  Real rounding = resting_speed;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const Real approach = rows[k].speed(), e = contacts[k].restitution;
     rounding = std::max(rounding, -100 * std::numeric_limits<Real>::epsilon() * approach);
     if (approach >= -motion.settings.threshold) continue;
     const Real leaves = -e * approach;
-    const bool last = 2 * leaves <= h * (1 - e) * pressing(world, contacts[k]);  // T <= h
+    const bool last = 2 * leaves <= h * (1 - e) * pressing_acceleration(world, contacts[k]);  // T <= h
     if (!last) rows[k].bias = -leaves;
   }
   StepContext step{world, contacts, rows, h};
-  const bool solved = world.joints.empty() ? strike_free(motion, step) : motion.strike(world, contacts, rows, h);
+  const bool solved = world.joints.empty() ? strike_free(motion, step) : motion.solve_impact(world, contacts, rows, h);
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     if (solved && step.speed_error(k) >= -rounding) continue;
     motion.failure = fmt::format("where bodies {} and {} meet, {} m/s are left: impacts need solved contacts",
@@ -67,15 +67,15 @@ bool ImpactCuts::bounce(KickDrift& motion, World& world, Real h, const std::vect
   }
   const std::size_t count = which.size();
   for (std::size_t k = 0; k < count; ++k)
-    motion.contacts.add(world, which[k],
-                        {rows[k].impulse, rows[count + 2 * k].impulse, rows[count + 2 * k + 1].impulse});
+    motion.contacts.add_impact(world, which[k],
+                               {rows[k].impulse, rows[count + 2 * k].impulse, rows[count + 2 * k + 1].impulse});
   return true;
 }
 
 /// In blocks of bodies, or a few contacts from nothing, as chapter 17 does.
 bool ImpactCuts::solve_free(KickDrift& motion, StepContext& step) {
   if (step.contacts.size() > SmallContactProblem::most_contacts)
-    return motion.strike(step.world, step.contacts, step.rows, step.dt);
+    return motion.solve_impact(step.world, step.contacts, step.rows, step.dt);
   const double left = direct_.work = motion.work_left(), rows = static_cast<double>(step.rows.size());
   const bool solved = direct_.try_start(step);
   return motion.spend(left - direct_.work + of_rows * rows * rows * rows) && solved;
@@ -108,20 +108,20 @@ bool ImpactCuts::strike_free(KickDrift& motion, StepContext& step) {
 bool ImpactCuts::impact(KickDrift& motion, World& world, Real h, bool& met) {
   touching_.clear();
   for (std::size_t i = 0; i < world.contacts.size(); ++i)
-    if (world.contacts[i].depth > -touches) touching_.push_back(i);
+    if (world.contacts[i].depth > -touch_distance) touching_.push_back(i);
   const auto fastest = [&] {
     return std::min_element(touching_.begin(), touching_.end(), [&](std::size_t p, std::size_t q) {
       return separating_speed(world, world.contacts[p]) < separating_speed(world, world.contacts[q]);
     });
   };
   const auto approaches = [&](const auto& at) {
-    return at != touching_.end() && separating_speed(world, world.contacts[*at]) < -stands;
+    return at != touching_.end() && separating_speed(world, world.contacts[*at]) < -resting_speed;
   };
   auto first = fastest();
   met = approaches(first);
   if (!met) return true;
   if (world.joints.empty()) find_accelerations(motion, world);
-  taken_ += kinetic_energy(world);
+  dissipated_energy_ += kinetic_energy(world);
   // Without bounces, a heavy body on a light one takes little from the speed of their next impact, and a sequence would take thousands.
   std::map<BodyPair, Real> last;  // m/s
   const auto bounces = [&](std::size_t i) {
@@ -145,26 +145,27 @@ bool ImpactCuts::impact(KickDrift& motion, World& world, Real h, bool& met) {
     first = fastest();
   }
   if (approaches(first) && !bounce(motion, world, h, touching_)) return false;
-  taken_ -= kinetic_energy(world);
-  motion.contacts.look(world);
+  dissipated_energy_ -= kinetic_energy(world);
+  motion.contacts.store_approach(world);
   return true;
 }
 
 /// Holds pairs that touch and do not separate, and pairs that overlap. With joints it also holds pairs that separate as slowly as the last
 /// of infinitely many bounces, because no impact may have stopped them.
 void ImpactCuts::hold_touching(KickDrift& motion, World& world, Real h) {
-  auto& only = motion.contacts.only;
-  if (!only) only.emplace();
-  only->clear();
+  auto& held_pairs = motion.contacts.held_pairs;
+  if (!held_pairs) held_pairs.emplace();
+  held_pairs->clear();
   for (const Contact& at : world.contacts) {
     const BodyPair pair = pair_of(at);
-    if (!only->empty() && only->back() == pair) continue;
-    const Real last = world.joints.empty() ? 0 : h * (1 - at.restitution) * pressing(world, at) / 2;
-    if (at.depth > touches || (at.depth > -touches && separating_speed(world, at) <= std::max(stands, last)))
-      only->push_back(pair);
+    if (!held_pairs->empty() && held_pairs->back() == pair) continue;
+    const Real last = world.joints.empty() ? 0 : h * (1 - at.restitution) * pressing_acceleration(world, at) / 2;
+    if (at.depth > touch_distance ||
+        (at.depth > -touch_distance && separating_speed(world, at) <= std::max(resting_speed, last)))
+      held_pairs->push_back(pair);
   }
-  held_ |= !only->empty();
-  if (!only->empty() && !motion.detected_ahead) motion.look_ahead(world, h);
+  contacts_held_ |= !held_pairs->empty();
+  if (!held_pairs->empty() && !motion.detected_ahead) motion.detect_ahead(world, h);
 }
 
 /// `touch`: the first time within `within` s at which a pair that is not held touches, from where `bodies` are: the world's bodies, now or
@@ -178,7 +179,7 @@ bool ImpactCuts::next_touch(KickDrift& motion, const World& world, const std::ve
     if (body.angular_velocity.isZero(0) && turning_[i].isZero(0)) continue;
     turns = std::max(turns, 2 * reach_of_core(body));
   }
-  const Margin margin{.least = touches + turns + within * within / 2 * std::sqrt(strongest), .ahead = within};
+  const Margin margin{.least = touch_distance + turns + within * within / 2 * std::sqrt(strongest), .ahead = within};
   touch.reset();
   first_.reset();
   std::vector<BodyPair>& near = motion.near_pairs;
@@ -188,7 +189,7 @@ bool ImpactCuts::next_touch(KickDrift& motion, const World& world, const std::ve
     const auto [p, q] = pair;
     return !may_touch(bodies[static_cast<std::size_t>(p)], bodies[static_cast<std::size_t>(q)]) || joined.contain(p, q);
   });
-  const std::vector<BodyPair>& held = *motion.contacts.only;
+  const std::vector<BodyPair>& held = *motion.contacts.held_pairs;
   for (const BodyPair& pair : near) {
     if (std::binary_search(held.begin(), held.end(), pair)) continue;
     const auto p = static_cast<std::size_t>(pair.first), q = static_cast<std::size_t>(pair.second);
@@ -197,7 +198,7 @@ bool ImpactCuts::next_touch(KickDrift& motion, const World& world, const std::ve
     const auto corners = static_cast<double>(corners_of_core(a).size() * corners_of_core(b).size());
     Flight of_a(a, accelerations_[p], turning_[p], before);
     Flight of_b(b, accelerations_[q], turning_[q], before);
-    if (const std::optional<Real> met = first_touch(of_a, of_b, before, touches / 2)) touch = met, first_ = pair;
+    if (const std::optional<Real> met = first_touch(of_a, of_b, before, touch_distance / 2)) touch = met, first_ = pair;
     if (!motion.spend(of_corners * (1 + corners) * of_a.looks())) return false;
   }
   return true;
@@ -210,9 +211,9 @@ bool ImpactCuts::advance(KickDrift& motion, World& world, Real h) {
     if (!impact(motion, world, h, met)) return false;
     if (met) ++events_;
     if (cuts == most_events) {
-      bound_reached_ = held_ = true;
-      motion.contacts.only.reset();
-      motion.look_ahead(world, h);
+      bound_reached_ = contacts_held_ = true;
+      motion.contacts.held_pairs.reset();
+      motion.detect_ahead(world, h);
       while (left > 0) {
         const Length part = move_free(motion, world, left);
         if (!part) return false;

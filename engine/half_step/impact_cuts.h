@@ -37,28 +37,29 @@ enum class Impacts { sequential, simultaneous };
 /// well, but the step is not cut for it.
 class ImpactCuts {
  public:
-  static constexpr Real sinks = Real(1e-4);  ///< m, the most by which a held contact may sink in a drift
+  static constexpr Real most_sinking = Real(1e-4);  ///< m, the most by which a held contact may sink in a drift
 
   Impacts impacts = Impacts::simultaneous;
   int most_events = 64;  ///< in a substep; its rest is then a half step in which all pairs are held
 
   /// Call it before each step.
-  void begin() { events_ = 0, taken_ = 0, bound_reached_ = held_ = false; }
+  void begin() { events_ = 0, dissipated_energy_ = 0, bound_reached_ = contacts_held_ = false; }
   /// A substep of h. If it fails, returns false, and `motion.failure` gives the reason.
   bool advance(KickDrift& motion, World& world, Real h);
 
   // ---- of the latest step ---------------------------------------------------------------------------------------------
-  int events() const { return events_; }                 ///< how often bodies met
-  bool bound_reached() const { return bound_reached_; }  ///< whether `most_events` was reached
-  Real taken() const { return taken_; }                  ///< J, the kinetic energy that impacts have dissipated
-  bool held() const { return held_; }                    ///< whether contacts were held
+  int events() const { return events_; }                         ///< how often bodies met
+  bool bound_reached() const { return bound_reached_; }          ///< whether `most_events` was reached
+  Real dissipated_energy() const { return dissipated_energy_; }  ///< J, the kinetic energy that impacts have dissipated
+  bool contacts_held() const { return contacts_held_; }          ///< whether contacts were held
 
  private:
-  static constexpr Real touches = HeldContacts::touches;
-  static constexpr Real stands = std::numeric_limits<Real>::digits > 24 ? Real(1e-6)
-                                                                        : Real(1e-3);  // m/s; slower is no impact
-  struct Sunk {  // a held contact that sank in the drift
-    Real since;  // s, since it began to sink, or infinite if that is unknown
+  static constexpr Real touch_distance = HeldContacts::touch_distance;
+  static constexpr Real resting_speed = std::numeric_limits<Real>::digits > 24
+                                            ? Real(1e-6)
+                                            : Real(1e-3);  // m/s; slower is no impact
+  struct Sunk {                                            // a held contact that sank in the drift
+    Real since;                                            // s, since it began to sink, or infinite if that is unknown
     std::ptrdiff_t known =
         -1;       // its index in the contacts before the drift, if it touched then and only its rotation makes it sink
     Real by = 0;  // m
@@ -71,8 +72,8 @@ class ImpactCuts {
   bool strike_free(KickDrift& motion, StepContext& step);
   bool solve_free(KickDrift& motion, StepContext& step);
   void find_accelerations(const KickDrift& motion, const World& world);
-  Length try_step(KickDrift& motion, World& world, const KickDrift::Snapshot& begin, Real within);
-  Real pressing(const World& world, const Contact& at) const;
+  Length try_half_step(KickDrift& motion, World& world, const KickDrift::Snapshot& begin, Real within);
+  Real pressing_acceleration(const World& world, const Contact& at) const;
   void hold_touching(KickDrift& motion, World& world, Real h);
   bool next_touch(KickDrift& motion, const World& world, const std::vector<Body>& bodies, Real within,
                   std::optional<Real>& touch);
@@ -87,8 +88,8 @@ class ImpactCuts {
   std::optional<BodyPair> first_;                // the pair of KickDrift::near_pairs that touches first
   WarmDirectContacts direct_ = exact_direct_contacts();
   int events_ = 0;
-  Real taken_ = 0;
-  bool bound_reached_ = false, held_ = false;
+  Real dissipated_energy_ = 0;
+  bool bound_reached_ = false, contacts_held_ = false;
 };
 
 }  // namespace pushback

@@ -10,7 +10,8 @@ namespace pushback {
 namespace {
 
 constexpr int most_tries = 50;  // to end a part of a step where something touches
-constexpr int most_bends = 3;   // of these, the first: aimed higher, by how far the drift has turned the contact in
+constexpr int most_aimed_tries =
+    3;  // of these, the first: aimed higher, by how far the drift has turned the contact in
 constexpr Real by_aiming = Real(1e-3);      // of T: a drift that is aimed higher may gain this much
 constexpr Real shortest_part = Real(1e-7);  // s
 
@@ -18,11 +19,11 @@ constexpr Real shortest_part = Real(1e-7);  // s
 
 /// A half step of `within`, or of less if that has to be divided. It leaves the world at its end, and finds the accelerations that joints
 /// are part of.
-ImpactCuts::Length ImpactCuts::try_step(KickDrift& motion, World& world, const KickDrift::Snapshot& begin,
-                                        Real within) {
+ImpactCuts::Length ImpactCuts::try_half_step(KickDrift& motion, World& world, const KickDrift::Snapshot& begin,
+                                             Real within) {
   for (;; within /= 2) {
     const int before = motion.halvings();
-    motion.contact_free = motion.contacts.only->empty();  // joints without contacts are a linear system
+    motion.contact_free = motion.contacts.held_pairs->empty();  // joints without contacts are a linear system
     const bool done = motion.advance(world, within);
     motion.contact_free = false;
     if (!done) return {};
@@ -38,14 +39,14 @@ ImpactCuts::Length ImpactCuts::try_step(KickDrift& motion, World& world, const K
   return within;
 }
 
-/// The held contacts that a drift of h s has let in by more than `sinks` and deeper than their pair was in `begun`, World::contacts before
+/// The held contacts that a drift of h s has let in by more than `most_sinking` and deeper than their pair was in `begun`, World::contacts before
 /// the drift. A turn moves a point off its straight path by at most h^2/2 w^2 r.
 std::vector<ImpactCuts::Sunk> ImpactCuts::sunk_since(const KickDrift& motion, const World& world, const Contacts& begun,
                                                      Real h) const {
   std::vector<Sunk> sunk;
   auto old = begun.begin();  // both lists ascend, so go through them in parallel
   for (const Contact& at : world.contacts) {
-    if (at.depth <= sinks || !motion.contacts.holds(at.id)) continue;
+    if (at.depth <= most_sinking || !motion.contacts.holds(at.id)) continue;
     while (old != begun.end() && pair_of(*old) < pair_of(at)) ++old;
     Real depth = 0;  // of the pair before
     auto same = begun.end();
@@ -53,7 +54,7 @@ std::vector<ImpactCuts::Sunk> ImpactCuts::sunk_since(const KickDrift& motion, co
       depth = std::max(depth, i->depth);
       if (i->id == at.id) same = i;
     }
-    if (at.depth <= depth + sinks / 100) continue;
+    if (at.depth <= depth + most_sinking / 100) continue;
     Vec3 speed = Vec3::Zero();
     Real bend = 0;
     for (const auto& [body, sign] : {std::pair(at.id.body_a, 1), std::pair(at.id.body_b, -1)}) {
@@ -64,7 +65,7 @@ std::vector<ImpactCuts::Sunk> ImpactCuts::sunk_since(const KickDrift& motion, co
     }
     const Real approach = at.normal.dot(speed);
     sunk.push_back({.since = approach > 0 ? at.depth / approach : std::numeric_limits<Real>::infinity()});
-    if (same != begun.end() && same->depth > -touches) {
+    if (same != begun.end() && same->depth > -touch_distance) {
       sunk.back().by = at.depth - std::max(same->depth, Real(0));
       if (sunk.back().by <= 8 * bend) sunk.back().known = same - begun.begin();
     }
@@ -78,7 +79,7 @@ Real ImpactCuts::touch_in(const KickDrift& motion, const World& world, const Con
   Real longest = 0;
   for (const Sunk& sunk : sunk_since(motion, world, begun, h)) longest = std::max(longest, sunk.since);
   for (const Contact& at : world.contacts) {
-    if (at.depth <= touches) continue;
+    if (at.depth <= touch_distance) continue;
     if (motion.contacts.holds(at.id)) continue;
     const Real approach = -separating_speed(world, at);
     longest = std::max(longest, approach > 0 ? at.depth / approach : std::numeric_limits<Real>::infinity());
@@ -90,18 +91,18 @@ Real ImpactCuts::touch_in(const KickDrift& motion, const World& world, const Con
   const Contact& nearest =
       *std::max_element(near.begin(), near.end(), [](const Contact& p, const Contact& q) { return p.depth < q.depth; });
   const Real approach = -separating_speed(world, nearest);
-  return nearest.depth < -touches && approach > stands ? -nearest.depth / approach : 0;
+  return nearest.depth < -touch_distance && approach > resting_speed ? -nearest.depth / approach : 0;
 }
 
 /// Whether the pair that touches first touches already. As bodies turn, one corner comes as another one leaves.
 bool ImpactCuts::touch_already(const Contacts& contacts) const {
   return std::any_of(contacts.begin(), contacts.end(),
-                     [this](const Contact& at) { return pair_of(at) == *first_ && at.depth > -touches; });
+                     [this](const Contact& at) { return pair_of(at) == *first_ && at.depth > -touch_distance; });
 }
 
 /// Drifts for at most `within` s, in which no other pair touches. Ends earlier if a held contact sinks in.
 ImpactCuts::Length ImpactCuts::move_free(KickDrift& motion, World& world, Real within) {
-  if (motion.contacts.only && motion.contacts.only->empty()) {
+  if (motion.contacts.held_pairs && motion.contacts.held_pairs->empty()) {
     if (!motion.advance(world, within)) return {};
     return within;
   }
@@ -119,12 +120,13 @@ ImpactCuts::Length ImpactCuts::move_free(KickDrift& motion, World& world, Real w
     const double work = begin.held.work_left() - motion.contacts.work_left();
     motion.restore(world, begin);
     if (!motion.spend(work)) return {};
-    if (gains) tries = most_bends;
-    higher = tries < most_bends && std::all_of(sunk.begin(), sunk.end(), [](const Sunk& at) { return at.known >= 0; });
+    if (gains) tries = most_aimed_tries;
+    higher =
+        tries < most_aimed_tries && std::all_of(sunk.begin(), sunk.end(), [](const Sunk& at) { return at.known >= 0; });
     Real since = 0;
     for (const Sunk& at : sunk) since = std::max(since, at.since);
     if (higher) {
-      for (const Sunk& at : sunk) held.bends(static_cast<std::size_t>(at.known), at.by);
+      for (const Sunk& at : sunk) held.expect_deepening(static_cast<std::size_t>(at.known), at.by);
     } else {
       held = begin.held;
       part = since > 0 && since < part ? part - since : part / 2;
@@ -136,25 +138,25 @@ ImpactCuts::Length ImpactCuts::move_free(KickDrift& motion, World& world, Real w
 /// Moves joined bodies until a pair touches, or for `within` s.
 ImpactCuts::Length ImpactCuts::move_joined(KickDrift& motion, World& world, Real within) {
   const KickDrift::Snapshot begin = motion.snapshot(world);
-  const Length most = try_step(motion, world, begin, within);
+  const Length most = try_half_step(motion, world, begin, within);
   std::optional<Real> touch;
   if (!most || !next_touch(motion, world, begin.bodies, *most, touch)) return {};
   Real part = *most;
   if (touch && *touch <= shortest_part && touch_already(begin.contacts)) {
     motion.restore(world, begin);
-    std::vector<BodyPair>& held = *motion.contacts.only;
+    std::vector<BodyPair>& held = *motion.contacts.held_pairs;
     held.insert(std::lower_bound(held.begin(), held.end(), *first_), *first_);
-    held_ = true;
-    if (!motion.detected_ahead) motion.look_ahead(world, *most);
+    contacts_held_ = true;
+    if (!motion.detected_ahead) motion.detect_ahead(world, *most);
     return move_joined(motion, world, within);
   }
   const auto find = [&] {
-    if (motion.contacts.only->empty()) motion.detect_contacts(world, part);
+    if (motion.contacts.held_pairs->empty()) motion.detect_contacts(world, part);
   };
   const auto again = [&](Real t) {
     motion.restore(world, begin);
     part = t;
-    motion.contact_free = motion.contacts.only->empty();
+    motion.contact_free = motion.contacts.held_pairs->empty();
     const bool done = t <= 0 || motion.advance(world, t);
     motion.contact_free = false;
     if (done) find();

@@ -68,12 +68,12 @@ void KickDrift::begin(World& world, Real h, bool with_contacts) {
   time_ = world.time;
   speed_error_ = 0;
   halvings_ = rounds_ = 0;
-  together_.work = settings.most_work;
+  together_.work_left = settings.most_work;
   accelerate(world);
   joints_.begin(world);
   contact_free = true;
   detected_ahead = false;
-  if (!cuts) contacts.only.reset();
+  if (!cuts) contacts.held_pairs.reset();
   if (with_contacts) {
     // The plan's margin, with which contacts were detected, is for the Earth's gravity.
     const Real gravity = world.gravity.norm();
@@ -81,7 +81,7 @@ void KickDrift::begin(World& world, Real h, bool with_contacts) {
     contact_free = !cuts && world.contacts.empty();
     contacts.begin(world);
   }
-  joints_.place(world, time_, h / static_cast<Real>(settings.substeps));
+  joints_.build_rows(world, time_, h / static_cast<Real>(settings.substeps));
 }
 
 void KickDrift::report(World& world) {
@@ -96,22 +96,22 @@ Margin KickDrift::margin(Real gravity, Real h) {
 /// If a pair is held, each of its points that may touch next has to be known. If none is, all bodies have flown, and ImpactCuts knows
 /// which pairs may have met.
 void KickDrift::detect_contacts(World& world, Real h) {
-  detected_ahead = !cuts || !contacts.only || !contacts.only->empty();
+  detected_ahead = !cuts || !contacts.held_pairs || !contacts.held_pairs->empty();
   if (detected_ahead) {
     world.find_contacts(margin(world.gravity.norm(), h));
   } else {
     world.contacts.clear();
     for (const auto& [first, second] : near_pairs)
-      collide(world.body(first), world.body(second), world.contacts, {.least = HeldContacts::touches});
+      collide(world.body(first), world.body(second), world.contacts, {.least = HeldContacts::touch_distance});
   }
   contacts.after_detection(world);
 }
 
-void KickDrift::look_ahead(World& world, Real h) {
+void KickDrift::detect_ahead(World& world, Real h) {
   detected_ahead = true;
   world.find_contacts(margin(world.gravity.norm(), h));
   contacts.after_detection(world);
-  contacts.look(world);
+  contacts.store_approach(world);
 }
 
 /// Where the bodies are.
@@ -161,57 +161,57 @@ void KickDrift::collect_rows(World& world) {
 bool KickDrift::solve_together(World& world, Real h) {
   constexpr double rounding = in_double ? 1e-14 : 1e-7;  // m
   constexpr double well = in_double ? 1e-8 : 1e-4,
-                   just = in_double ? 1e-6 : 1e-3;  // m/s: accepted at once, and at last
-  Real fastest = 1;                                 // m/s
+                   acceptable = in_double ? 1e-6 : 1e-3;  // m/s: accepted at once, and at last
+  Real fastest = 1;                                       // m/s
   for (const Body& body : world.bodies) fastest = std::max(fastest, body.velocity.cwiseAbs().maxCoeff());
   const double enough = rounding * (100 * static_cast<double>(fastest) + 1 / std::abs(static_cast<double>(h)));
-  together_.forget();  // limits and motors change sides from stage to stage
+  together_.discard_matrix();  // limits and motors change sides from stage to stage
   for (const int sweeps : {0, 20, 100, 500}) {
     together_.sweep(sweeps);
-    if (together_.solve(world, enough) || together_.off() <= well) return true;
+    if (together_.solve(world, enough) || together_.largest_error() <= well) return true;
   }
-  return together_.off() <= just;
+  return together_.largest_error() <= acceptable;
 }
 
 /// Solves again without a given direction of slip.
-bool KickDrift::let_law_decide(World& world, Real h) {
+bool KickDrift::solve_without_slip_directions(World& world, Real h) {
   if (contact_free) return false;
-  contacts.take(world);
-  contacts.find_out();
+  contacts.read_rows(world);
+  contacts.release_all();
   collect_rows(world);
   return solve_together(world, h);
 }
 
-bool KickDrift::press_together(World& world, Real h) {
-  joints_.aim_rigid(h);
-  if (!solve_together(world, h) && !let_law_decide(world, h)) return false;
-  if (!contact_free) contacts.take(world);
-  while (!contact_free && contacts.turns_back(world)) {
+bool KickDrift::solve_positions_together(World& world, Real h) {
+  joints_.prepare_rigid(h);
+  if (!solve_together(world, h) && !solve_without_slip_directions(world, h)) return false;
+  if (!contact_free) contacts.read_rows(world);
+  while (!contact_free && contacts.release_reversed(world)) {
     collect_rows(world);
-    if (!solve_together(world, h) && !let_law_decide(world, h)) return false;
-    contacts.take(world);
+    if (!solve_together(world, h) && !solve_without_slip_directions(world, h)) return false;
+    contacts.read_rows(world);
   }
   return true;
 }
 
 /// The first stage, and the drift.
-bool KickDrift::press(World& world, Real h) {
+bool KickDrift::solve_positions(World& world, Real h) {
   const bool together = solved_together();
   if (together) {
-    joints_.aim(world, time_, h);
-    if (!contact_free) contacts.begin_pressing(world, h);
-  } else if (!contact_free && !contacts.press(world, h)) {
+    joints_.prepare_positions(world, time_, h);
+    if (!contact_free) contacts.begin_positions(world, h);
+  } else if (!contact_free && !contacts.solve_positions(world, h)) {
     failure = contacts.failure();
     return false;
   }
-  joints_.start(h);
+  joints_.warm_start(h);
   if (together) collect_rows(world);
   save_states(world, before_drift);
   Real off = std::numeric_limits<Real>::infinity();
   for (int round = 0;; ++round) {
     for (Body& body : world.bodies) drift(body, h);
     const Real off_before = off;
-    off = joints_.ask(world, time_ + h);
+    off = joints_.evaluate(world, time_ + h);
     if (together && round == 0) {
       off = std::numeric_limits<Real>::infinity();  // contacts and limits have not been solved yet
     } else {
@@ -220,55 +220,56 @@ bool KickDrift::press(World& world, Real h) {
       if (round == settings.most_rounds || !(off < off_before / 2)) return false;
     }
     restore_states(world, before_drift);
-    if (!together) joints_.press(h);
-    else if (!press_together(world, h)) return false;
+    if (!together) joints_.solve_positions(h);
+    else if (!solve_positions_together(world, h)) return false;
     save_states(world, before_drift);
     ++rounds_;
   }
   speed_error_ = std::max(speed_error_, off / std::abs(h));
-  joints_.pressed();
-  if (together && !contact_free) contacts.end_pressing(world, h);
+  joints_.end_positions();
+  if (together && !contact_free) contacts.end_positions(world, h);
   return true;
 }
 
 /// The second stage.
-bool KickDrift::project(World& world, Real h) {
+bool KickDrift::solve_velocities(World& world, Real h) {
   if (!solved_together()) {
-    if (!contact_free && !contacts.project(world, h)) {
+    if (!contact_free && !contacts.solve_velocities(world, h)) {
       failure = contacts.failure();
       return false;
     }
-    joints_.project(h);
+    joints_.solve_velocities(h);
     return true;
   }
-  joints_.settle(h);
-  joints_.start(h);
+  joints_.prepare_velocities(h);
+  joints_.warm_start(h);
   together_.clear();
   joints_.add_to(together_, true);
   if (!contact_free) {
-    contacts.begin_projecting(world, h);
+    contacts.begin_velocities(world, h);
     contacts.add_to(together_, world);
   }
   if (!solve_together(world, h)) {
-    failure = fmt::format("joints and contacts together leave {} m/s: more substeps are needed", together_.off());
+    failure =
+        fmt::format("joints and contacts together leave {} m/s: more substeps are needed", together_.largest_error());
     return false;
   }
-  joints_.projected(h);
+  joints_.end_velocities(h);
   if (!contact_free) {
-    contacts.take(world);
-    contacts.end_projecting(world, h);
+    contacts.read_rows(world);
+    contacts.end_velocities(world, h);
   }
   return true;
 }
 
-bool KickDrift::strike(World& world, const Contacts& at, Rows& rows, Real h) {
+bool KickDrift::solve_impact(World& world, const Contacts& at, Rows& rows, Real h) {
   together_.clear();
-  joints_.strike(together_);
+  joints_.add_impact_to(together_);
   const std::size_t count = at.size();
   for (std::size_t k = 0; k < count; ++k)
     together_.add_contact(rows[k], rows[count + 2 * k], rows[count + 2 * k + 1], at[k].friction);
   const bool solved = solve_together(world, h);
-  joints_.struck();
+  joints_.end_impact();
   return solved;
 }
 
@@ -276,11 +277,11 @@ bool KickDrift::strike(World& world, const Contacts& at, Rows& rows, Real h) {
 /// and after.
 bool KickDrift::step(World& world, Real h) {
   save_states(world, begun_);
-  if (!contact_free) contacts.look(world);
-  failure = joints_.pull(world, h);
+  if (!contact_free) contacts.store_approach(world);
+  failure = joints_.apply_springs_before_drift(world, h);
   if (!failure.empty()) return false;
   kick(world, h / 2);
-  if (!press(world, h)) {
+  if (!solve_positions(world, h)) {
     if (failure.empty()) restore_states(world, begun_);
     return false;
   }
@@ -291,19 +292,19 @@ bool KickDrift::step(World& world, Real h) {
   accelerate(world);
   kick(world, h / 2);
   if (!contact_free && moved) detect_contacts(world, h);
-  joints_.place(world, time_, h);
-  joints_.pull_on(h);
-  return project(world, h);
+  joints_.build_rows(world, time_, h);
+  joints_.apply_springs_after_drift(h);
+  return solve_velocities(world, h);
 }
 
 bool KickDrift::spend(double work) {
-  together_.work -= work;
+  together_.work_left -= work;
   if (work_left() > 0) return true;
   failure = fmt::format("a step takes more than {} multiplications", settings.most_work);
   return false;
 }
 
-bool KickDrift::halve(World& world, Real h, int halvings) {
+bool KickDrift::step_or_halve(World& world, Real h, int halvings) {
   if (step(world, h)) return true;
   if (!failure.empty() || !spend(0)) return false;
   if (halvings == settings.most_halvings) {
@@ -312,7 +313,7 @@ bool KickDrift::halve(World& world, Real h, int halvings) {
     return false;
   }
   ++halvings_;
-  return halve(world, h / 2, halvings + 1) && halve(world, h / 2, halvings + 1);
+  return step_or_halve(world, h / 2, halvings + 1) && step_or_halve(world, h / 2, halvings + 1);
 }
 
 }  // namespace pushback

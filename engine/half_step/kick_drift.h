@@ -45,14 +45,14 @@ class KickDrift {
   /// Begins a step of h, s, in which contacts are held if `with_contacts`. The bodies have their velocities before gravity acts.
   void begin(World& world, Real h, bool with_contacts);
   /// A half step of h, halved if Newton's method does not converge.
-  bool advance(World& world, Real h) { return halve(world, h, 0); }
+  bool advance(World& world, Real h) { return step_or_halve(world, h, 0); }
   /// Writes the impulses of the step into joints and contacts.
   void report(World& world);
 
   /// Finds the contacts at the end of a drift of h.
   void detect_contacts(World& world, Real h);
   /// Finds the contacts that may touch in a drift of h from the present positions.
-  void look_ahead(World& world, Real h);
+  void detect_ahead(World& world, Real h);
   /// The margin of a drift of h, which is the distance by which two bodies may approach. `gravity`: m/s^2.
   static Margin margin(Real gravity, Real h);
   /// The acceleration of a body by forces, at the present positions.
@@ -64,27 +64,29 @@ class KickDrift {
   void restore(World& world, const Snapshot& snapshot);
   /// Solves an impact in a substep of h, with the rows of all normals, then two tangents of each contact, and with the joints. Returns
   /// false if it cannot be solved.
-  bool strike(World& world, const Contacts& at, Rows& rows, Real h);
+  bool solve_impact(World& world, const Contacts& at, Rows& rows, Real h);
 
   // ---- of the latest step ---------------------------------------------------------------------------------------------
   int halvings() const { return halvings_; }
-  int rounds() const { return rounds_ + contacts.factored(); }
-  double work() const { return (settings.most_work - together_.work) + (settings.most_work - contacts.work_left()); }
+  int rounds() const { return rounds_ + contacts.factorizations(); }
+  double work() const {
+    return (settings.most_work - together_.work_left) + (settings.most_work - contacts.work_left());
+  }
   int rows() const { return joints_.rows() + contacts.rows(); }
   Real speed_error() const { return speed_error_; }  ///< m/s
 
  private:
-  bool halve(World& world, Real h, int halvings);
+  bool step_or_halve(World& world, Real h, int halvings);
   bool step(World& world, Real h);
   void accelerate(World& world);
   void kick(World& world, Real h) const;
   bool solved_together() const;
-  bool press(World& world, Real h);
-  bool press_together(World& world, Real h);
-  bool project(World& world, Real h);
+  bool solve_positions(World& world, Real h);
+  bool solve_positions_together(World& world, Real h);
+  bool solve_velocities(World& world, Real h);
   bool solve_together(World& world, Real h);
   void collect_rows(World& world);
-  bool let_law_decide(World& world, Real h);
+  bool solve_without_slip_directions(World& world, Real h);
 
   HeldJoints joints_;
   NewtonFromGuess together_;

@@ -13,7 +13,7 @@ namespace pushback {
 namespace {
 
 // Multiplications for a contact: its law, its blocks in the matrix, its part of a right side and of what comes back.
-constexpr double of_look = 200, of_assembly = 700, of_change = 150;
+constexpr double of_evaluation = 200, of_assembly = 700, of_change = 150;
 
 using SixByThree = Eigen::Matrix<double, 6, 3>;
 using ThreeBySix = Eigen::Matrix<double, 3, 6>;
@@ -63,13 +63,13 @@ void NewtonFromGuess::add(JointRow& row) {
   add({&row, nullptr, nullptr}, 1, 0, static_cast<double>(row.softness));
 }
 
-void NewtonFromGuess::find_places(const World& world) {
-  places_.assign(world.bodies.size(), not_moving);
+void NewtonFromGuess::index_bodies(const World& world) {
+  body_indices_.assign(world.bodies.size(), not_moving);
   bodies_ = 0;
   pairs_.clear();
   const auto place_of = [this](const Body& body) {
     if (!body.movable()) return not_moving;
-    int& place = places_[static_cast<std::size_t>(body.index)];
+    int& place = body_indices_[static_cast<std::size_t>(body.index)];
     if (place == not_moving) place = bodies_++;
     return place;
   };
@@ -83,7 +83,7 @@ void NewtonFromGuess::find_places(const World& world) {
 }
 
 /// l and u of a group, f and what it changes by.
-void NewtonFromGuess::look(Group& group) const {
+void NewtonFromGuess::evaluate(Group& group) const {
   group.l.setZero();
   group.u.setZero();
   for (int i = 0; i < group.count; ++i) {
@@ -113,10 +113,10 @@ void NewtonFromGuess::look(Group& group) const {
 }
 
 NewtonFromGuess::Total NewtonFromGuess::evaluate() {
-  work -= of_look * static_cast<double>(groups_.size());
+  work_left -= of_evaluation * static_cast<double>(groups_.size());
   Total total{0, 0};
   for (Group& group : groups_) {
-    look(group);
+    evaluate(group);
     const double k = group.w.trace() / group.count;
     const double speed = (k > 0 ? k : 1) * group.f.norm();
     total.sum += speed * speed;
@@ -126,29 +126,30 @@ NewtonFromGuess::Total NewtonFromGuess::evaluate() {
   return total;
 }
 
-double NewtonFromGuess::off() {
+double NewtonFromGuess::largest_error() {
   return evaluate().largest;
 }
 
 /// From a system of the same bodies and rows.
 bool NewtonFromGuess::has_matrix() const {
-  return std::equal(groups_.begin(), groups_.end(), kept_.begin(), kept_.end(), [](const Group& now, const Kept& then) {
-    return now.a == then.a && now.b == then.b && now.count == then.count;
-  });
+  return std::equal(groups_.begin(), groups_.end(), factored_groups_.begin(), factored_groups_.end(),
+                    [](const Group& now, const FactoredGroup& then) {
+                      return now.a == then.a && now.b == then.b && now.count == then.count;
+                    });
 }
 
-bool NewtonFromGuess::factor(double pull) {
-  kept_.clear();
-  too_large = !matrix_.begin(bodies_, pairs_, largest);
+bool NewtonFromGuess::factor(double proximal) {
+  factored_groups_.clear();
+  too_large = !matrix_.begin(bodies_, pairs_, most_matrix_work);
   if (too_large) return false;
-  ++factored;
-  work -= of_assembly * static_cast<double>(groups_.size()) + matrix_.of_factor();
+  ++factorizations;
+  work_left -= of_assembly * static_cast<double>(groups_.size()) + matrix_.of_factor();
   for (Group& group : groups_) {
     const double k = group.w.trace() / group.count;
-    const Eigen::Matrix3d inverse = (group.df_dl + pull * (k > 0 ? k : 1) * group.df_du).inverse();
-    kept_.push_back({group.a, group.b, group.count, group.df_du, inverse});
+    const Eigen::Matrix3d inverse = (group.df_dl + proximal * (k > 0 ? k : 1) * group.df_du).inverse();
+    factored_groups_.push_back({group.a, group.b, group.count, group.df_du, inverse});
     if (!inverse.allFinite()) {
-      kept_.clear();
+      factored_groups_.clear();
       return false;
     }
     const Eigen::Matrix3d between = inverse * group.df_du;
@@ -163,17 +164,17 @@ bool NewtonFromGuess::factor(double pull) {
     }
   }
   if (matrix_.factor()) return true;
-  kept_.clear();
+  factored_groups_.clear();
   return false;
 }
 
 bool NewtonFromGuess::find_changes() {
-  work -= of_change * static_cast<double>(groups_.size()) + matrix_.of_solve();
+  work_left -= of_change * static_cast<double>(groups_.size()) + matrix_.of_solve();
   speeds_.assign(static_cast<std::size_t>(bodies_), BodyMatrix::Six::Zero());
   const auto at = [this](int place) -> BodyMatrix::Six& { return speeds_[static_cast<std::size_t>(place)]; };
   for (std::size_t i = 0; i < groups_.size(); ++i) {
     const Group& group = groups_[i];
-    const Three pushed = kept_[i].inverse * group.f;
+    const Three pushed = factored_groups_[i].inverse * group.f;
     if (group.a != not_moving) at(group.a) -= effect_of(group.rows, group.count, false) * pushed;
     if (group.b != not_moving) at(group.b) -= effect_of(group.rows, group.count, true) * pushed;
   }
@@ -183,13 +184,13 @@ bool NewtonFromGuess::find_changes() {
     Three speed = Three::Zero();
     if (group.a != not_moving) speed += jacobian_of(group.rows, group.count, false) * at(group.a);
     if (group.b != not_moving) speed += jacobian_of(group.rows, group.count, true) * at(group.b);
-    group.change = -(kept_[i].inverse * (group.f + kept_[i].df_du * speed));
+    group.change = -(factored_groups_[i].inverse * (group.f + factored_groups_[i].df_du * speed));
     if (!group.change.allFinite()) return false;
   }
   return true;
 }
 
-void NewtonFromGuess::move(const Group& group, double part) {
+void NewtonFromGuess::apply_change(const Group& group, double part) {
   for (int i = 0; i < group.count; ++i) {
     const Real change = static_cast<Real>(part * group.change[i]);
     group.rows[std::size_t(i)]->impulse += change;
@@ -198,15 +199,15 @@ void NewtonFromGuess::move(const Group& group, double part) {
 }
 
 void NewtonFromGuess::sweep(int times) {
-  for (int i = 0; i < times && work > 0; ++i, work -= of_look * static_cast<double>(groups_.size()))
+  for (int i = 0; i < times && work_left > 0; ++i, work_left -= of_evaluation * static_cast<double>(groups_.size()))
     for (Group& group : groups_) {
-      look(group);
+      evaluate(group);
       group.change = -group.f;
-      move(group, 1);
+      apply_change(group, 1);
     }
 }
 
-void NewtonFromGuess::keep(const World& world, State& state) const {
+void NewtonFromGuess::save(const World& world, State& state) const {
   state.impulses.clear();
   state.velocities.clear();
   for (const Group& group : groups_)
@@ -214,7 +215,7 @@ void NewtonFromGuess::keep(const World& world, State& state) const {
   for (const Body& body : world.bodies) state.velocities.emplace_back(body.velocity, body.angular_velocity);
 }
 
-void NewtonFromGuess::give(World& world, const State& state) const {
+void NewtonFromGuess::restore(World& world, const State& state) const {
   auto impulse = state.impulses.begin();
   for (const Group& group : groups_)
     for (int i = 0; i < group.count; ++i) group.rows[std::size_t(i)]->impulse = *impulse++;
@@ -224,7 +225,7 @@ void NewtonFromGuess::give(World& world, const State& state) const {
 
 /// A leap can go far, and what is rounded off there would stay in the velocities, though the impulses come back: momentum would
 /// not be kept. So velocities are once more those of the begin and what the impulses have changed by.
-void NewtonFromGuess::come_back_from(World& world, const State& begun) {
+void NewtonFromGuess::recompute_velocities(World& world, const State& begun) {
   for (std::size_t i = 0; i < world.bodies.size(); ++i)
     std::tie(world.bodies[i].velocity, world.bodies[i].angular_velocity) = begun.velocities[i];
   auto impulse = begun.impulses.begin();
@@ -235,29 +236,29 @@ void NewtonFromGuess::come_back_from(World& world, const State& begun) {
     }
 }
 
-bool NewtonFromGuess::solve(World& world, double enough, double just) {
+bool NewtonFromGuess::solve(World& world, double enough, double acceptable) {
   constexpr int most_steps = 60, most_leaps = 12;
   constexpr double well = 0.1;  // what |f| falls to where the matrix may be kept
   Total total = evaluate();
   if (total.largest <= enough) return true;
-  find_places(world);
-  keep(world, best_);
+  index_bodies(world);
+  save(world, best_);
   const State begun = best_;
   Total best = total;
-  double pull = total.largest < near ? 1e-5 : 1e-3;
+  double proximal = total.largest < small_error ? 1e-5 : 1e-3;
   bool kept = has_matrix();
   int leaps = 0;
-  for (int step = 0; step < most_steps && work > 0; ++step) {
+  for (int step = 0; step < most_steps && work_left > 0; ++step) {
     if (!kept) {
-      if (!factor(pull)) break;
-      pull = std::max(pull / 10, 1e-7);
+      if (!factor(proximal)) break;
+      proximal = std::max(proximal / 10, 1e-7);
     }
     if (!find_changes()) break;
-    keep(world, before_);
+    save(world, before_);
     double fallen = 1;
     for (double part = 1; part > 1e-3 && fallen == 1; part /= 2) {  // a step halved until |f| falls
-      if (part < 1) give(world, before_);
-      for (const Group& group : groups_) move(group, part);
+      if (part < 1) restore(world, before_);
+      for (const Group& group : groups_) apply_change(group, part);
       const Total tried = evaluate();
       if (!(tried.sum < (1 - 1e-4 * part) * total.sum)) continue;
       fallen = tried.sum / total.sum;
@@ -265,22 +266,22 @@ bool NewtonFromGuess::solve(World& world, double enough, double just) {
     }
     if (fallen < 1 && total.sum < best.sum) {
       best = total;
-      keep(world, best_);
+      save(world, best_);
     }
     if (best.largest <= enough / 10 || (best.largest <= enough && fallen > well)) break;
     if (fallen == 1) {  // f has kinks, and between two of them a whole step makes progress although |f| grows
-      give(world, before_);
+      restore(world, before_);
       if (!kept) {
-        if (best.largest <= just) break;
+        if (best.largest <= acceptable) break;
         if (++leaps > most_leaps) break;
-        for (const Group& group : groups_) move(group, 1);
+        for (const Group& group : groups_) apply_change(group, 1);
       }
       total = evaluate();
     }
     kept = fallen <= well;
   }
-  give(world, best_);
-  if (leaps > 0) come_back_from(world, begun);
+  restore(world, best_);
+  if (leaps > 0) recompute_velocities(world, begun);
   return best.largest <= enough;
 }
 

@@ -28,24 +28,24 @@ class NewtonFromGuess {
   /// Removes all rows.
   void clear() { groups_.clear(); }
   /// Discards the matrix.
-  void forget() { kept_.clear(); }
+  void discard_matrix() { factored_groups_.clear(); }
   void add_contact(Row& normal, Row& tangent1, Row& tangent2, Real friction);
   void add(JointRow& row);
   /// Adds a row with l >= 0, u >= 0, l u = 0.
   void add_normal(Row& row);
   /// The largest error of a row, as a speed, m/s.
-  double off();
+  double largest_error();
   /// Sweeps over the contacts and rows, and solves each as if it were alone, l <- l - f.
   void sweep(int times);
   /// Iterates until no row has an error above `enough`, m/s, and then as long as steps are cheap. Returns whether it has reached this.
-  /// Rows and bodies are left at the best point found. Once the error is at most `just`, no step that increases |f| is tried.
-  bool solve(World& world, double enough, double just = 0);
-  int factored = 0;  ///< number of matrices factored since the caller reset it to 0
-  double near = 0;   ///< m/s; if no row has a larger error, it starts with a smaller p, which converges faster
+  /// Rows and bodies are left at the best point found. Once the error is at most `acceptable`, no step that increases |f| is tried.
+  bool solve(World& world, double enough, double acceptable = 0);
+  int factorizations = 0;  ///< number of matrices factored since the caller reset it to 0
+  double small_error = 0;  ///< m/s; if no row has a larger error, it starts with a smaller p, which converges faster
   /// The approximate multiplications that it may still take. It stops once they are spent.
-  double work = std::numeric_limits<double>::infinity();
-  double largest = std::numeric_limits<double>::infinity();  ///< multiplications that a single matrix may take
-  bool too_large = false;                                    ///< whether the latest matrix would have taken more
+  double work_left = std::numeric_limits<double>::infinity();
+  double most_matrix_work = std::numeric_limits<double>::infinity();  ///< multiplications that a single matrix may take
+  bool too_large = false;  ///< whether the latest matrix would have taken more
 
  private:
   using Three = Eigen::Vector3d;
@@ -59,7 +59,7 @@ class NewtonFromGuess {
     Eigen::Matrix3d df_du, df_dl;  // now
     Three change;                  // dl
   };
-  struct Kept {  // the data of a group from which the matrix was made
+  struct FactoredGroup {  // the data of a group from which the matrix was made
     int a, b, count;
     Eigen::Matrix3d df_du, inverse;  // df_du, E^-1
   };
@@ -71,20 +71,20 @@ class NewtonFromGuess {
     std::vector<std::pair<Vec3, Vec3>> velocities;  // of all bodies
   };
   void add(const std::array<Row*, 3>& rows, int count, double mu, double softness);
-  void find_places(const World& world);
+  void index_bodies(const World& world);
   Total evaluate();
-  void look(Group& group) const;
+  void evaluate(Group& group) const;
   bool has_matrix() const;
-  bool factor(double pull);
+  bool factor(double proximal);
   bool find_changes();
-  static void move(const Group& group, double part);
-  void keep(const World& world, State& state) const;
-  void give(World& world, const State& state) const;
-  void come_back_from(World& world, const State& begun);
+  static void apply_change(const Group& group, double part);
+  void save(const World& world, State& state) const;
+  void restore(World& world, const State& state) const;
+  void recompute_velocities(World& world, const State& begun);
 
   std::vector<Group> groups_;
-  std::vector<Kept> kept_;
-  std::vector<int> places_;  // index of each body of the world in the matrix
+  std::vector<FactoredGroup> factored_groups_;
+  std::vector<int> body_indices_;  // index of each body of the world in the matrix
   int bodies_ = 0;
   BodyMatrix::Pairs pairs_;
   BodyMatrix matrix_;

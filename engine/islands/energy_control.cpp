@@ -30,7 +30,7 @@ StepOutcome try_half_steps(IslandWorld& island, const IslandStep& step, int subs
   solver.substeps = substeps;
   const Real kinetic_before = kinetic_energy(world), before = kinetic_before + potential_energy(world);
   StepOutcome outcome = solver.try_step(world, step.dt);
-  if (island.joined_and_near()) solver.most_work = std::max(1.0, solver.most_work - outcome.work);
+  if (island.has_joints_and_may_touch()) solver.most_work = std::max(1.0, solver.most_work - outcome.work);
   if (!outcome.converged) outcome.energy_error = infinite_error;
   if (!outcome.converged || worked_on) return outcome;
   const Real kinetic = kinetic_energy(world), gained = kinetic + potential_energy(world) - before;
@@ -42,8 +42,8 @@ StepOutcome try_half_steps(IslandWorld& island, const IslandStep& step, int subs
   }
   Real off = std::abs(gained);
   if (island.impact) {
-    const Real left = gained + solver.taken();
-    off = std::max(gained, solver.held() ? left : std::abs(left)) - freed;
+    const Real left = gained + solver.dissipated_energy();
+    off = std::max(gained, solver.contacts_held() ? left : std::abs(left)) - freed;
   }
   outcome.energy_error = off / (step.settings.energy * all);
   return outcome;
@@ -73,8 +73,8 @@ void take_given_steps(IslandWorld& island, IslandMemory& memory, const IslandSte
   const int most_of_joints = step.settings.most_half_steps / static_cast<int>(island.fourth ? suzuki.size() : 1);
   for (const int most = joints ? std::max(count, most_of_joints) : 4 * count;; count *= 2) {
     const StepOutcome outcome = try_half_steps(island, step, memory.substeps = count);
-    island.held = std::isfinite(outcome.energy_error);
-    const bool enough = island.held && (!joints || outcome.energy_error <= 1);
+    island.moved = std::isfinite(outcome.energy_error);
+    const bool enough = island.moved && (!joints || outcome.energy_error <= 1);
     if (enough || 2 * count > most || !can_double(island, outcome)) break;
   }
   if (island.fourth) memory.substeps *= static_cast<int>(suzuki.size());
@@ -84,14 +84,14 @@ void control_by_energy(IslandWorld& island, IslandMemory& memory, const IslandSt
   const bool joints = !island.world.joints.empty();
   const bool few_meet = island.impact && !joints && !step.classifier.many_contacts(island.lowest());
   const int least = most_half_steps(island, step), most = few_meet ? more_where_few_meet * least : least;
-  memory.substeps = joints ? std::max(memory.next, step.settings.joint_half_step.substeps) : least;
+  memory.substeps = joints ? std::max(memory.next_substeps, step.settings.joint_half_step.substeps) : least;
   StepOutcome outcome;
   for (;; memory.substeps *= few_meet ? more_where_few_meet : 2) {
     outcome = try_half_steps(island, step, memory.substeps);
     if (outcome.energy_error <= 1 || 2 * memory.substeps > most || !can_double(island, outcome)) break;
   }
-  island.held = outcome.energy_error <= 1;
-  memory.next = outcome.energy_error < Real(0.125) ? memory.substeps / 2 : memory.substeps;
+  island.moved = outcome.energy_error <= 1;
+  memory.next_substeps = outcome.energy_error < Real(0.125) ? memory.substeps / 2 : memory.substeps;
 }
 
 }  // namespace pushback

@@ -19,10 +19,10 @@ struct IslandStep {
 
 /// The data of an island that are kept between steps, with its lowest body.
 struct IslandMemory {
-  int substeps = 0;  ///< half steps of the latest step
-  int next = 0;      ///< half steps of the next step
-  int waits = 0;     ///< steps until half steps are tried again
-  int failures = 0;  ///< consecutive ones, counted if joined bodies are near others, or contacts are many
+  int substeps = 0;       ///< half steps of the latest step
+  int next_substeps = 0;  ///< half steps of the next step
+  int steps_to_wait = 0;  ///< steps until half steps are tried again
+  int failures = 0;       ///< consecutive ones, counted if joined bodies are near others, or contacts are many
 };
 
 /// Moves the island's copy in `substeps` half steps from the present state of its bodies in the whole world. If only gravity and rigid
@@ -36,10 +36,10 @@ struct IslandMemory {
 StepOutcome try_half_steps(IslandWorld& island, const IslandStep& step, int substeps);
 
 /// Doubles the number of half steps of the island until its energy error is at most 1. If the error is below an eighth, the next step
-/// begins with half as many. Sets `island.held` if the island has been moved.
+/// begins with half as many. Sets `island.moved` if the island has been moved.
 void control_by_energy(IslandWorld& island, IslandMemory& memory, const IslandStep& step);
 
-/// Takes the half steps that IslandSettings::given demands, and more if the energy error of joined bodies needs them. Sets `island.held`
+/// Takes the half steps that IslandSettings::given demands, and more if the energy error of joined bodies needs them. Sets `island.moved`
 /// likewise.
 void take_given_steps(IslandWorld& island, IslandMemory& memory, const IslandStep& step);
 
@@ -48,7 +48,7 @@ int most_half_steps(const IslandWorld& island, const IslandStep& step);
 
 /// Whether the rest of `most_work` is enough for twice as many half steps. All tries for joined bodies with contacts share it.
 inline bool can_double(const IslandWorld& island, const StepOutcome& outcome) {
-  return !island.joined_and_near() || island.half_step.most_work > 2 * outcome.work;
+  return !island.has_joints_and_may_touch() || island.half_step.most_work > 2 * outcome.work;
 }
 
 }  // namespace pushback

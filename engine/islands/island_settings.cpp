@@ -11,19 +11,20 @@ namespace {
 
 void check_limits(const ClassifierLimits& limits) {
   if (limits.most < 0) throw InvalidInput(fmt::format("most is {}: a whole number, 0 or more, is needed", limits.most));
-  for (const auto& [name, limit] : {std::pair("most_kept", limits.most_kept), {"most_meeting", limits.most_meeting}})
+  for (const auto& [name, limit] :
+       {std::pair("most_kept", limits.most_kept), {"most_single_contacts", limits.most_single_contacts}})
     if (limit < limits.most)
       throw InvalidInput(fmt::format("{} is {}: no less than most is needed, which is {}", name, limit, limits.most));
-  if (limits.large < 1)
-    throw InvalidInput(fmt::format("large is {}: a whole number, 1 or more, is needed", limits.large));
+  if (limits.large_pile < 1)
+    throw InvalidInput(fmt::format("large_pile is {}: a whole number, 1 or more, is needed", limits.large_pile));
   if (limits.most_layers < 0)
     throw InvalidInput(fmt::format("most_layers is {}: a whole number, 0 or more, is needed", limits.most_layers));
-  require_not_negative("calm", limits.calm);
-  require_positive("most_ratio", limits.most_ratio);
+  require_not_negative("calm_speed", limits.calm_speed);
+  require_positive("most_mass_ratio", limits.most_mass_ratio);
   if (limits.most_detections < 1 || limits.most_detections > 64)
     throw InvalidInput(
         fmt::format("most_detections is {}: a whole number from 1 to 64 is needed", limits.most_detections));
-  require_positive("turn", limits.turn);
+  require_positive("fast_turn", limits.fast_turn);
 }
 
 void require(const char* name, double number, bool allowed, const char* what) {

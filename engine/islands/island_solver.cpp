@@ -8,7 +8,7 @@ namespace pushback {
 
 namespace {
 
-constexpr int waits_after_failing = 10;  // steps; twice as many after each further failure,
+constexpr int steps_after_failing = 10;  // steps; twice as many after each further failure,
 constexpr int most_failures = 4;         // up to this many
 constexpr int most_meetings = 8;      // in a step that is taken again for them; then the bodies that meet get substeps
 constexpr Real stiffest = Real(1e9);  // Hz: SoftContacts makes it the largest that substeps hold, 1 / (8 h)
@@ -18,8 +18,8 @@ constexpr double of_resting_contact =
 /// Whether half steps have let a contact in that was not detected. Islands that were deep before are left out: a press has no room.
 bool lets_in(const IslandWorld& island, const StepClassifier& classifier) {
   const Real before = classifier.deepest(island.lowest()),
-             most = std::max(ImpactCuts::sinks, before + ImpactCuts::sinks / 10);
-  return before <= 10 * ImpactCuts::sinks &&
+             most = std::max(ImpactCuts::most_sinking, before + ImpactCuts::most_sinking / 10);
+  return before <= 10 * ImpactCuts::most_sinking &&
          std::any_of(island.world.contacts.begin(), island.world.contacts.end(),
                      [most](const Contact& at) { return !at.parted && at.depth > most; });
 }
@@ -47,12 +47,12 @@ void IslandSolver::whole_step(World& world, Real dt, int sweeps) {
   AllBodies::check(world);
   IslandSettings::check();
   given.check(world.bodies.size());
-  substep_solver.SubsteppingSolver::check(world, dt);
-  pile_solver.SubsteppingSolver::check(world, dt);
+  substep_solver.check_settings(world, dt);
+  pile_solver.check_settings(world, dt);
   const Plan plan = substep_solver.plan(dt);
   contacts_.find(world, classifier_, plan, dt);
   memory_.resize(world.bodies.size());
-  for (IslandMemory& memory : memory_) memory.waits = std::max(0, memory.waits - 1);
+  for (IslandMemory& memory : memory_) memory.steps_to_wait = std::max(0, memory.steps_to_wait - 1);
   spent_.assign(world.bodies.size(), 0);
   call_by_call_ = false;
   solved_ = {};
@@ -81,15 +81,16 @@ int IslandSolver::half_steps_of(int body) {
 /// Makes islands, and a world of each that gets half steps. Islands that have to wait, or cannot pay, get substeps.
 void IslandSolver::classify(World& world, bool too_many_meetings, Real dt) {
   ClassifierLimits now = limits;
-  if (too_many_meetings) now.most = now.most_kept = now.most_meeting = 0;
-  if (!given.of_body.empty()) now.large = std::numeric_limits<int>::max();
+  if (too_many_meetings) now.most = now.most_kept = now.most_single_contacts = 0;
+  if (!given.of_body.empty()) now.large_pile = std::numeric_limits<int>::max();
   const Real threshold = given.of_body.empty() ? substep_solver.threshold : given.threshold;
   classifier_.classify(world, contacts_.found, dt, threshold, now);
   budgets_.pool(world, classifier_, budget);
   for (const Body& body : world.bodies) {
     if (step_of(body.index) != StepType::half_steps) continue;
     const int island = classifier_.island_of(body.index);
-    if (memory_[std::size_t(island)].waits > 0) classifier_.leave_to_substeps(body.index, StepReason::failed_before);
+    if (memory_[std::size_t(island)].steps_to_wait > 0)
+      classifier_.leave_to_substeps(body.index, StepReason::failed_before);
     else if (!budgets_.can_pay(island, classifier_, budget))
       classifier_.leave_to_substeps(body.index, StepReason::no_savings);
   }
@@ -121,7 +122,7 @@ void IslandSolver::step_island(IslandWorld& island, const IslandStep& step) {
   island.set(joints ? joint_half_step : contact_half_step);
   island.set_order();
   HalfStep& solver = island.half_step;
-  if (island.joined_and_near()) {
+  if (island.has_joints_and_may_touch()) {
     solver.threshold = contact_half_step.threshold;
     solver.tolerance = std::min(solver.tolerance, at_impacts().tolerance);
   }
@@ -140,7 +141,7 @@ void IslandSolver::step_island(IslandWorld& island, const IslandStep& step) {
     else take_given_steps(island, memory, step);
   };
   control();
-  if (island.held && !island.impact && !many && lets_in(island, classifier_)) {
+  if (island.moved && !island.impact && !many && lets_in(island, classifier_)) {
     island.impact = true;
     classifier_.mark_impact(lowest);
     island.set(contact_half_step);
@@ -151,14 +152,14 @@ void IslandSolver::step_island(IslandWorld& island, const IslandStep& step) {
     if (step.whole.body(body).movable()) spent_[std::size_t(body)] = spent + solver.work();
   if (many) {
     const double work = solver.work() + of_resting_contact * classifier_.contacts(lowest) * memory.substeps;
-    if (island.held) saved.succeed(price - work, budget.most * price);
+    if (island.moved) saved.succeed(price - work, budget.most * price);
     else saved.fail(work, budget.at_once);
   }
-  if (!island.held && (!many || solver.too_large())) {  // too large, and it stays so while the same bodies touch
-    const int failures = many || island.joined_and_near() ? memory.failures : 0;
-    memory = {.waits = waits_after_failing << failures, .failures = std::min(failures + 1, most_failures)};
+  if (!island.moved && (!many || solver.too_large())) {  // too large, and it stays so while the same bodies touch
+    const int failures = many || island.has_joints_and_may_touch() ? memory.failures : 0;
+    memory = {.steps_to_wait = steps_after_failing << failures, .failures = std::min(failures + 1, most_failures)};
   }
-  if (island.held) memory.failures = 0;
+  if (island.moved) memory.failures = 0;
 }
 
 /// Whether bodies may have come upon others, which are not of their island: bodies that have bounced, and bodies that joints have made
@@ -171,7 +172,7 @@ bool IslandSolver::others_were_met(const World& world, Real dt) {
   bool any = false;
   for (std::size_t i = 0; i < islands_.size(); ++i) {
     const IslandWorld& island = islands_[i];
-    if (!island.held) continue;
+    if (!island.moved) continue;
     const bool bounced = island.impact && island.half_step.events() > 0, joints = !island.world.joints.empty();
     for (const Body& after : island.world.bodies) {
       const auto at = std::size_t(island.bodies()[std::size_t(after.index)]);
@@ -197,7 +198,7 @@ bool IslandSolver::others_were_met(const World& world, Real dt) {
 void IslandSolver::fall_back(const World& world) {
   for (std::size_t i = 0; i < islands_.size(); ++i) {
     const IslandWorld& island = islands_[i];
-    if (island.held) {
+    if (island.moved) {
       add_up(island.half_step.stats());
       continue;
     }
@@ -218,7 +219,7 @@ void IslandSolver::step_piles(const World& world, Real dt, int sweeps) {
     const Plan plan = pile_solver.plan(dt);
     WithFoundContacts bodies{{&plan.workers->of_bodies(island.world.bodies.size())}, island.found};
     pushback::step(island.world, pile_solver, plan, dt, sweeps, bodies);
-    island.held = true;
+    island.moved = true;
     island.substeps = plan.all_substeps();
     add_up(pile_solver.stats());
   }

@@ -16,7 +16,7 @@ class IslandWorld {
   HalfStep half_step;
   bool impact = false;  ///< whether bodies may meet in this step, which is then cut at impacts
   bool fourth = false;  ///< whether the island gets fourth-order steps, because it has joints but no contacts
-  bool held = false;    ///< whether the island has been moved
+  bool moved = false;   ///< whether the island has been moved
   Contacts found;       ///< the contacts of this step, if Fast moves the island
   int substeps = 1;     ///< number of substeps in a step; impulses of contacts are for one of them
 
@@ -28,12 +28,12 @@ class IslandWorld {
   }
   void set(const HalfStepSettings& settings) { static_cast<HalfStepSettings&>(half_step) = settings; }
   /// Whether joints and contacts have to be solved together.
-  bool joined_and_near() const { return impact && !world.joints.empty(); }
+  bool has_joints_and_may_touch() const { return impact && !world.joints.empty(); }
 
   /// Empties the island. `lowest`: the lowest index of its movable bodies.
   void begin(const World& whole, int lowest) {
     lowest_ = lowest;
-    held = fourth = false;
+    moved = fourth = false;
     bodies_.clear();
     joints_.clear();
     found.clear();
@@ -53,10 +53,10 @@ class IslandWorld {
   /// Adds a pair's contacts of the previous step if the island contains both bodies.
   void add(PairContacts between) { add(between, world.contacts); }
   void add_found(PairContacts between) { add(between, found); }
-  void take(Joint& joint, std::size_t index) {
+  void take_joint(Joint& joint, std::size_t index) {
     Joint& taken = world.joints.emplace_back(std::move(joint));
     for (int* body : {&taken.a, &taken.b})
-      if (*body != the_world) *body = here(*body);
+      if (*body != the_world) *body = local_index(*body);
     joints_.push_back(index);
   }
   /// Copies the bodies as they are in the whole world now. Returns whether anything other than gravity, joints and contacts does work on
@@ -83,7 +83,7 @@ class IslandWorld {
     }
   }
   /// Writes bodies and contacts into the whole world. `fraction`: the length of the whole world's last substep, as a fraction of the step.
-  void give(World& whole, Real fraction) const {
+  void write_to(World& whole, Real fraction) const {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       if (!world.bodies[i].movable()) continue;
       whole.bodies[std::size_t(bodies_[i])] = world.bodies[i];
@@ -103,21 +103,21 @@ class IslandWorld {
   int lowest() const { return lowest_; }
 
  private:
-  static constexpr int nowhere = -2;  // and -1 is the_world
+  static constexpr int not_contained = -2;  // and -1 is the_world
 
   void add(PairContacts between, Contacts& contacts) const {
     const ContactId& id = between.front().id;
-    const int a = here(static_cast<int>(id.body_a)), b = here(static_cast<int>(id.body_b));
-    if (a == nowhere || b == nowhere) return;
+    const int a = local_index(static_cast<int>(id.body_a)), b = local_index(static_cast<int>(id.body_b));
+    if (a == not_contained || b == not_contained) return;
     for (const Contact& contact : between) {
       contacts.push_back(contact);
       contacts.back().id.body_a = static_cast<std::uint32_t>(a);
       contacts.back().id.body_b = static_cast<std::uint32_t>(b);
     }
   }
-  int here(int body) const {
+  int local_index(int body) const {
     const auto at = std::lower_bound(bodies_.begin(), bodies_.end(), body);
-    return at != bodies_.end() && *at == body ? static_cast<int>(at - bodies_.begin()) : nowhere;
+    return at != bodies_.end() && *at == body ? static_cast<int>(at - bodies_.begin()) : not_contained;
   }
 
   int lowest_ = 0;

@@ -55,7 +55,8 @@ void IslandWorlds::divide(World& world, StepClassifier& classifier, const Contac
   });
   for (std::size_t i = 0; i < world.joints.size(); ++i) {
     Joint& joint = world.joints[i];
-    if (IslandWorld* island = island_of(world.body(joint.a), world.body(joint.b), classifier)) island->take(joint, i);
+    if (IslandWorld* island = island_of(world.body(joint.a), world.body(joint.b), classifier))
+      island->take_joint(joint, i);
   }
 }
 
@@ -74,11 +75,11 @@ void IslandWorlds::give_joints(World& world) {
 void IslandWorlds::commit(World& world, Real fraction) const {
   const auto lower = [](const Contact& first, const Contact& second) { return first.id < second.id; };
   Contacts& contacts = world.contacts;
-  std::vector<std::size_t> ends{
-      0, contacts.size()};  // of runs in the order of ids: the other contacts, then those of each island
+  // The ends of runs in the order of ids: the other contacts, then those of each island.
+  std::vector<std::size_t> ends{0, contacts.size()};
   for (std::size_t i = 0; i < count_; ++i) {
-    if (!islands_[i].held) continue;
-    islands_[i].give(world, fraction);
+    if (!islands_[i].moved) continue;
+    islands_[i].write_to(world, fraction);
     if (contacts.size() > ends.back()) ends.push_back(contacts.size());
   }
   const auto at = [&](std::size_t end) { return contacts.begin() + static_cast<std::ptrdiff_t>(end); };

@@ -60,7 +60,7 @@ void step_immovable(World& world, const StepSolver& solver, Real dt) {
 
 int detections(Real spin, const ClassifierLimits& limits, Real dt) {
   int times = 1;
-  while (2 * times <= limits.most_detections && spin * dt > limits.turn * static_cast<Real>(times)) times *= 2;
+  while (2 * times <= limits.most_detections && spin * dt > limits.fast_turn * static_cast<Real>(times)) times *= 2;
   return times;
 }
 

@@ -113,7 +113,7 @@ void StepClassifier::classify(const World& world, const Contacts& contacts, Real
   by_fast_.resize(all_.size(), false);
   read_contacts(world, contacts, dt, threshold);
   read_joints(world);
-  read_bodies(world, limits.turn / dt);
+  read_bodies(world, limits.fast_turn / dt);
   find_large(world, contacts, limits);
   for (const Body& body : world.bodies) {
     Island& island = at(island_of(body.index));
@@ -209,7 +209,7 @@ void StepClassifier::find_large(const World& world, const Contacts& contacts, co
   bool any = false;
   for (Island& island : by_island_) {
     island.large = island.may_be_large && island.joints == 0 &&
-                   island.contacts >= (island.was_large() ? limits.large / 2 : limits.large);
+                   island.contacts >= (island.was_large() ? limits.large_pile / 2 : limits.large_pile);
     any |= island.large;
   }
   if (!any) return;
@@ -224,16 +224,16 @@ void StepClassifier::find_large(const World& world, const Contacts& contacts, co
     const auto [a, b] = world.bodies_of(between.front());
     if (!a.movable() || !b.movable()) return;
     const auto [lighter, heavier] = std::minmax(a.inverse_mass, b.inverse_mass, std::greater<>());
-    at(island_of(a.index)).large &= lighter <= limits.most_ratio * heavier;
+    at(island_of(a.index)).large &= lighter <= limits.most_mass_ratio * heavier;
   });
 }
 
 StepReason StepClassifier::reason_for(Island& island, const ClassifierLimits& limits) {
   const bool moves =
-      island.refused != StepReason::none || island.impact || island.turning >= 0 || island.fastest > limits.calm;
+      island.refused != StepReason::none || island.impact || island.turning >= 0 || island.fastest > limits.calm_speed;
   if (island.large && moves) {
     island.many = true;
-    island.limit = limits.large;
+    island.limit = limits.large_pile;
     return StepReason::large_pile;
   }
   if (island.refused != StepReason::none) return island.refused;
@@ -243,8 +243,8 @@ StepReason StepClassifier::reason_for(Island& island, const ClassifierLimits& li
   if (!many) return StepReason::few_contacts;
   if (island.joints > 0) return StepReason::contacts_and_joints;
   island.many = true;
-  if (island.impact && island.contacts == island.pairs && island.contacts <= limits.most_meeting) {
-    island.limit = limits.most_meeting;
+  if (island.impact && island.contacts == island.pairs && island.contacts <= limits.most_single_contacts) {
+    island.limit = limits.most_single_contacts;
     return StepReason::single_contacts;
   }
   if (island.impact) return StepReason::impact;

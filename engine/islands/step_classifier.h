@@ -55,18 +55,20 @@ struct ClassifierLimits {
   int most = 8;             ///< contacts that touch or may touch in the step; with no more, half steps at any price
   int most_kept = 12;       ///< the same, if the island had half steps before, so that one contact more changes nothing
   int most_detections = 4;  ///< in a step, for substeps
-  Real turn = Real(0.04);   ///< rad per step; an island with many contacts and a body that turns faster gets substeps
-  int most_meeting = 40;    ///< contacts of pairs that meet in one point each, such as balls, which separate at once
+  Real fast_turn =
+      Real(0.04);  ///< rad per step; an island with many contacts and a body that turns faster gets substeps
+  int most_single_contacts =
+      40;  ///< contacts of pairs that meet in one point each, such as balls, which separate at once
   /// An island with at least this many contacts is large. The positions of its bodies cannot be predicted for a second, so only overlap,
   /// energy and rest matter. Fast moves such an island while it is in motion, unless it is more than `most_layers` bodies high. If Fast
   /// moved most of it in the previous step, half as many contacts are enough, and twice as many layers are allowed, because in a falling
   /// pile the shortest path of contacts to the ground is long for a moment.
-  int large = 256;
+  int large_pile = 256;
   int most_layers = 20;  ///< Fast's springs carry 24 boxes on top of each other (chapter 12, tall columns)
   /// The largest ratio of two masses near each other for which Fast moves a large island. A box sinks 0.07 mm into Fast's springs, and
   /// n times as deep under n times its own weight.
-  Real most_ratio = 30;
-  Real calm = Real(0.1);  ///< m/s, relative to the ground; if all bodies are slower, half steps may be tried
+  Real most_mass_ratio = 30;
+  Real calm_speed = Real(0.1);  ///< m/s, relative to the ground; if all bodies are slower, half steps may be tried
 };
 
 /// The distance by which the farthest points of a body may move in dt (s) due to its rotation, m.

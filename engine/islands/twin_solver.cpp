@@ -208,9 +208,9 @@ void TwinSolver::begin_again(const World& world, std::vector<bool> lost) {
 BodyError TwinSolver::error_of(int body) {
   const auto i = static_cast<std::size_t>(body);
   if (i >= known_.size() || std::isinf(error)) return {};
-  BodyError known{.how = step_of(body), .place = known_[i].place, .kept = known_[i].kept};
-  if (known.how == StepType::half_steps) known.substeps = half_steps_of(body);
-  if (known.how == StepType::substeps) known.substeps = given.substeps;
+  BodyError known{.step_type = step_of(body), .position_error = known_[i].place, .kept = known_[i].kept};
+  if (known.step_type == StepType::half_steps) known.substeps = half_steps_of(body);
+  if (known.step_type == StepType::substeps) known.substeps = given.substeps;
   return known;
 }
 

@@ -14,10 +14,10 @@ namespace pushback {
 
 /// The error of a body.
 struct BodyError {
-  StepType how = StepType::none;
-  int substeps = 0;  ///< half steps or substeps of the latest step
-  Real place = 0;    ///< m, the position error since the first step, or since `forget_errors`
-  bool kept = true;  ///< whether the error is within TwinSolver::error
+  StepType step_type = StepType::none;
+  int substeps = 0;         ///< half steps or substeps of the latest step
+  Real position_error = 0;  ///< m, the position error since the first step, or since `forget_errors`
+  bool kept = true;         ///< whether the error is within TwinSolver::error
 };
 
 /// IslandSolver, with as many substeps as keep positions within `error` for a second. A copy of the world, the twin, is stepped as

@@ -100,7 +100,7 @@ struct BundleRange {
   EightVectors<Real>* start_impulses;  ///< of each contact: along n and both tangents, as a substep with a bounce began
 };
 
-/// The coefficients of soft contacts for one length of substep. PushOut of substepping_solver.h describes them.
+/// The coefficients of soft contacts for one length of substep. PushOut of substepping.h describes them.
 template <class Real>
 struct WidePushOut {
   Real rate, gamma_by_K, fastest, threshold, h;

@@ -5,7 +5,7 @@
 
 #include "pushback/engine/substeps/lane_access.h"
 #include "pushback/engine/substeps/normal_source.h"
-#include "pushback/engine/substeps/substepping_solver.h"
+#include "pushback/engine/substeps/substepping.h"
 
 namespace pushback {
 

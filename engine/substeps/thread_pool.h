@@ -25,7 +25,7 @@ class ThreadPool : public Workers {
 
   /// `threads`: 1 to `most_threads`, including the calling thread. Throws InvalidInput for others. `always_split`: see Workers.
   explicit ThreadPool(int threads, bool always_split = false);
-  ~ThreadPool() override;
+  ~ThreadPool();
   int threads() const { return static_cast<int>(others_.size()) + 1; }
 
  protected:

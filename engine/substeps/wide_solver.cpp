@@ -18,7 +18,7 @@ Passes<Scalar> passes_of_this_processor(int lanes) {
 }
 
 template <class Scalar, class JointEffect>
-void WideSolver<Scalar, JointEffect>::after_detection(World& world, Real h) {
+void WideSubsteps<Scalar, JointEffect>::after_detection(World& world, Real h) {
   const FlushDenormals flush;
   at_work_ = &(workers ? *workers : alone()).of_bodies(world.bodies.size());
   measured_.reset();
@@ -41,7 +41,7 @@ void WideSolver<Scalar, JointEffect>::after_detection(World& world, Real h) {
 }
 
 template <class Scalar, class JointEffect>
-BundleRange<Scalar> WideSolver<Scalar, JointEffect>::bundles(std::size_t begin, std::size_t end) {
+BundleRange<Scalar> WideSubsteps<Scalar, JointEffect>::bundles(std::size_t begin, std::size_t end) {
   return {packed_.bundles.data() + begin,
           static_cast<int>(end - begin),
           packed_.points.data(),
@@ -57,7 +57,7 @@ BundleRange<Scalar> WideSolver<Scalar, JointEffect>::bundles(std::size_t begin, 
 /// Calls `act(i)` for each body with contacts. `act` may change only the i-th body.
 template <class Scalar, class JointEffect>
 template <class Act>
-void WideSolver<Scalar, JointEffect>::each_body(const Act& act) {
+void WideSubsteps<Scalar, JointEffect>::each_body(const Act& act) {
   at_work_->each(packed_.bodies.size(), 256, [&](Part part) {
     for (std::size_t i = part.begin; i < part.end; ++i) act(i);
   });
@@ -65,13 +65,13 @@ void WideSolver<Scalar, JointEffect>::each_body(const Act& act) {
 /// Calls `act(begin, end)` for parts of all bundles. `act` must not change bodies. Returns the largest result.
 template <class Scalar, class JointEffect>
 template <class Act>
-Scalar WideSolver<Scalar, JointEffect>::each_bundle(const Act& act) {
+Scalar WideSubsteps<Scalar, JointEffect>::each_bundle(const Act& act) {
   return largest_in(0, packed_.bundles.size(), act);
 }
 /// The same for one set of bundles after the other. `act` may change the bodies of its bundles.
 template <class Scalar, class JointEffect>
 template <class Act>
-Scalar WideSolver<Scalar, JointEffect>::set_by_set(const Act& act) {
+Scalar WideSubsteps<Scalar, JointEffect>::set_by_set(const Act& act) {
   Scalar largest = 0;
   std::size_t begin = 0;
   for (const std::size_t end : packed_.set_ends) {
@@ -82,7 +82,7 @@ Scalar WideSolver<Scalar, JointEffect>::set_by_set(const Act& act) {
 }
 template <class Scalar, class JointEffect>
 template <class Act>
-Scalar WideSolver<Scalar, JointEffect>::largest_in(std::size_t begin, std::size_t end, const Act& act) {
+Scalar WideSubsteps<Scalar, JointEffect>::largest_in(std::size_t begin, std::size_t end, const Act& act) {
   const std::size_t items = end - begin;
   largest_.assign(at_work_->parts(items, least_bundles), 0);
   at_work_->each(items, least_bundles, [&](Part part) {
@@ -93,7 +93,7 @@ Scalar WideSolver<Scalar, JointEffect>::largest_in(std::size_t begin, std::size_
 }
 
 template <class Scalar, class JointEffect>
-void WideSolver<Scalar, JointEffect>::solve(World& world, Real h, int sweeps) {
+void WideSubsteps<Scalar, JointEffect>::solve(World& world, Real h, int sweeps) {
   const FlushDenormals flush;
   StepContext step = joints_step(world, h);
   joints.build(step);
@@ -123,14 +123,14 @@ void WideSolver<Scalar, JointEffect>::solve(World& world, Real h, int sweeps) {
 }
 
 template <class Scalar, class JointEffect>
-void WideSolver<Scalar, JointEffect>::integrate_positions(World& world, Real h) {
+void WideSubsteps<Scalar, JointEffect>::integrate_positions(World& world, Real h) {
   at_work_->each(world.bodies.size(), 256, [&](Part part) {
     integrate_bodies(std::span(world.bodies).subspan(part.begin, part.end - part.begin), h, body_passes.turn);
   });
 }
 
 template <class Scalar, class JointEffect>
-void WideSolver<Scalar, JointEffect>::after_move(World& world, Real h) {
+void WideSubsteps<Scalar, JointEffect>::after_move(World& world, Real h) {
   const FlushDenormals flush;
   each_body([&](std::size_t i) {
     if (packed_.bodies[i]->conveys) return;
@@ -151,7 +151,7 @@ void WideSolver<Scalar, JointEffect>::after_move(World& world, Real h) {
 /// Rebuilds the rows of pairs that have moved or turned far enough. There is nothing to do if no body floats and no body has
 /// moved by half of the smallest distance at which rows are rebuilt.
 template <class Scalar, class JointEffect>
-void WideSolver<Scalar, JointEffect>::rebuild_rows() {
+void WideSubsteps<Scalar, JointEffect>::rebuild_rows() {
   const Real within = rebuild_fraction * shortest_reach_ / 2;
   bool far = something_floats_;
   for (std::size_t i = 0; i < packed_.bodies.size() && !far; ++i)
@@ -169,7 +169,7 @@ void WideSolver<Scalar, JointEffect>::rebuild_rows() {
 /// Velocities are copied into lanes, and only the changes by contacts are copied back. So the velocity of a body on which no
 /// contact acts keeps its bits.
 template <class Scalar, class JointEffect>
-void WideSolver<Scalar, JointEffect>::sweep(StepContext& step, void (*friction_pass)(const BundleRange<Scalar>&)) {
+void WideSubsteps<Scalar, JointEffect>::sweep(StepContext& step, void (*friction_pass)(const BundleRange<Scalar>&)) {
   joints.sweep(step);
   each_body([&](std::size_t i) {
     write_twist(packed_.bodies[i]->velocity, packed_.bodies[i]->angular_velocity, velocities_[i]);
@@ -196,14 +196,14 @@ void WideSolver<Scalar, JointEffect>::sweep(StepContext& step, void (*friction_p
 
 /// An impact is over in one substep. So the next substep starts from the same impulses as the substep of the impact.
 template <class Scalar, class JointEffect>
-void WideSolver<Scalar, JointEffect>::forget_impacts() {
+void WideSubsteps<Scalar, JointEffect>::forget_impacts() {
   if (fastest_ > 0)
     set_by_set([&](std::size_t begin, std::size_t end) { passes.restore_impulses(bundles(begin, end)); });
   fastest_ = 0;
 }
 
 template <class Scalar, class JointEffect>
-void WideSolver<Scalar, JointEffect>::end_detection(World& world) {
+void WideSubsteps<Scalar, JointEffect>::end_detection(World& world) {
   if (fastest_ > 0) measured_ = measure();  // an impact's impulses are about to be forgotten
   forget_impacts();
   at_work_->each(packed_.locations.size(), 256, [&](Part part) {
@@ -213,12 +213,12 @@ void WideSolver<Scalar, JointEffect>::end_detection(World& world) {
 }
 
 template <class Scalar, class JointEffect>
-void WideSolver<Scalar, JointEffect>::write_back(Contact& contact, std::size_t i) const {
+void WideSubsteps<Scalar, JointEffect>::write_back(Contact& contact, std::size_t i) const {
   packed_.write_back(i, displacements_, known_[i], contact);
 }
 
 template <class Scalar, class JointEffect>
-SolveStats WideSolver<Scalar, JointEffect>::measure() const {
+SolveStats WideSubsteps<Scalar, JointEffect>::measure() const {
   SolveStats all = stats_of(joints.joint_rows());
   all.rows += 3 * static_cast<int>(packed_.locations.size());
   all.residual = std::max(all.residual, packed_.residual());
@@ -227,9 +227,9 @@ SolveStats WideSolver<Scalar, JointEffect>::measure() const {
 
 template Passes<float> passes_of_this_processor(int lanes);
 template Passes<double> passes_of_this_processor(int lanes);
-template class WideSolver<float>;
-template class WideSolver<double>;
-template class WideSolver<float, SteadyJoints>;
-template class WideSolver<double, SteadyJoints>;
+template class WideSubsteps<float, DirectTreeJoints>;
+template class WideSubsteps<double, DirectTreeJoints>;
+template class WideSubsteps<float, SteadyJoints>;
+template class WideSubsteps<double, SteadyJoints>;
 
 }  // namespace pushback

@@ -7,9 +7,10 @@
 #include <memory>
 #include <optional>
 
+#include "pushback/common/world/solver_from.h"
 #include "pushback/engine/direct/direct_tree_joints.h"
 #include "pushback/engine/substeps/contact_bundles.h"
-#include "pushback/engine/substeps/substepping_solver.h"
+#include "pushback/engine/substeps/substepping.h"
 
 namespace pushback {
 
@@ -22,8 +23,8 @@ Passes<Scalar> passes_of_this_processor(int lanes = 0);
 /// If a contact normal turns with a face, or points from one round body to another, then n, both arms and C follow the bodies:
 /// see NormalSource. Rows are rebuilt once a pair has moved far enough. For islands that touch nothing immovable they are
 /// rebuilt in every substep, so that angular momentum is kept.
-template <class Scalar, class JointEffect = DirectTreeJoints>
-class WideSolver : public SubsteppingSolver {
+template <class Scalar, class JointEffect>
+class WideSubsteps : public Substepping {
  public:
   JointEffect joints;
   Real rebuild_fraction = Real(1e-4);  ///< rows are rebuilt once a pair has moved by this fraction of its longest arm
@@ -34,28 +35,28 @@ class WideSolver : public SubsteppingSolver {
   /// The threads that share the bundles of a set and other independent work. Null: one thread.
   std::shared_ptr<Workers> workers;
 
-  WideSolver() {
+  WideSubsteps() {
     reference_step = Real(1) / 60;
     recheck_speed = Real(0.5);
   }
-  Plan plan(Real dt) const override {
-    Plan plan = SubsteppingSolver::plan(dt);
+  Plan plan(Real dt) const {
+    Plan plan = Substepping::plan(dt);
     plan.moves_bodies = true;  // it refreshes I^-1 itself, before rows are rebuilt
     plan.workers = workers ? workers.get() : &alone();
     return plan;
   }
-  void check(World& world, Real h) override {
-    SubsteppingSolver::check(world, h);
+  void check(World& world, Real h) {
+    check_settings(world, h);
     require_not_negative("rebuild_fraction", rebuild_fraction);
     StepContext step = joints_step(world, h);
     joints.check(step);
   }
-  void after_detection(World& world, Real h) override;
-  void solve(World& world, Real h, int sweeps) override;
-  void integrate_positions(World& world, Real h) override;
-  void after_move(World& world, Real h) override;
-  void end_detection(World& world) override;
-  SolveStats stats() const override { return measured_.value_or(measure()); }
+  void after_detection(World& world, Real h);
+  void solve(World& world, Real h, int sweeps);
+  void integrate_positions(World& world, Real h);
+  void after_move(World& world, Real h);
+  void end_detection(World& world);
+  SolveStats stats() const { return measured_.value_or(measure()); }
 
  protected:
   /// Writes the impulses since detection, the depth and the state of the i-th contact.
@@ -89,9 +90,12 @@ class WideSolver : public SubsteppingSolver {
   std::vector<Vec3> guesses_;                         // N s, for each contact of the world
 };
 
-extern template class WideSolver<float>;  // compiled once, in wide_solver.cpp
-extern template class WideSolver<double>;
-extern template class WideSolver<float, SteadyJoints>;
-extern template class WideSolver<double, SteadyJoints>;
+template <class Scalar, class JointEffect = DirectTreeJoints>
+using WideSolver = SolverFrom<WideSubsteps<Scalar, JointEffect>>;
+
+extern template class WideSubsteps<float, DirectTreeJoints>;  // compiled once, in wide_solver.cpp
+extern template class WideSubsteps<double, DirectTreeJoints>;
+extern template class WideSubsteps<float, SteadyJoints>;
+extern template class WideSubsteps<double, SteadyJoints>;
 
 }  // namespace pushback

@@ -69,8 +69,8 @@ TEST_CASE("detected once: C_0 + J dX is C to rounding where bodies only shift, a
       world.find_contacts({.least = Real(0.1)});
       REQUIRE(world.contacts.size() == 4);
       std::vector<KeptBody> bodies{{&world.bodies[0]}, {&world.bodies[1]}};
-      bodies[1].way = t * way;
-      bodies[1].turn = t * Vec3(0, 0, spin);
+      bodies[1].displacement = t * way;
+      bodies[1].rotation = t * Vec3(0, 0, spin);
       std::vector<KeptContact> kept;
       for (std::size_t i = 0; i < 4; ++i) kept.emplace_back(world, i, 0, 1);
       const Contacts before = world.contacts;

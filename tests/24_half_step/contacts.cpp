@@ -261,11 +261,11 @@ TEST_CASE("half step: what takes more than most_work is refused, at once or soon
       bounded.fall_back_to_full_solve = from_afar;
       world = begin;
       const std::string said = complaint([&] { world.step(bounded, h); });
-      const bool refused_at_once =
-          part == 0.1;  // a matrix takes more than an eighth; with less, the sweeps before it take all
+      // A matrix takes more than an eighth of it. With less, the sweeps before it take all.
+      const bool refused_at_once = part == 0.1;
       CHECK(said == (refused_at_once || from_afar
                          ? "144 contacts are too large a problem for the multiplications that are left"
-                         : "144 contacts are not solved from what they bore"));
+                         : "144 contacts are not solved from the loads of the previous step"));
       CHECK(hash_of(world) == hash_of(begin));
       CHECK(world.time == 0);
       CHECK(bounded.too_large() == refused_at_once);

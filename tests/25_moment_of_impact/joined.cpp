@@ -190,7 +190,7 @@ TEST_CASE("joined impact: the joint bears its part of an impact, and says so") {
   HalfStep step = in_parts(1);
   world.step(step, h);
   CHECK(step.events() == 1);
-  CHECK(step.taken() == Approx(2 * 9 / 2.0).epsilon(in_double ? 1e-9 : 1e-4));  // m v^2 / 2, all of it
+  CHECK(step.dissipated_energy() == Approx(2 * 9 / 2.0).epsilon(in_double ? 1e-9 : 1e-4));  // m v^2 / 2, all of it
   CHECK(world.bodies[0].velocity.norm() < rounding);
   // m v + L along n + l along the rod = 0:  n = -x, rod = (1, -1) / sqrt(2), v = 3 (1, 1) / sqrt(2)
   //   y: 6 / sqrt(2) - l / sqrt(2) = 0,  l = 6;     x: 6 / sqrt(2) - L + l / sqrt(2) = 0,  L = 12 / sqrt(2)
@@ -212,17 +212,17 @@ TEST_CASE("joined impact: what impacts take of the energy is the part 1 - e^2, a
       const Real fall = (joined ? 5 : 2) * g * Real(0.2);  // J, until it touches
       int steps = 0;
       for (; step.events() == 0 && steps < 60; ++steps) {
-        CHECK(step.taken() == 0);
-        CHECK_FALSE(step.held());
+        CHECK(step.dissipated_energy() == 0);
+        CHECK_FALSE(step.contacts_held());
         world.step(step, h);
       }
-      CHECK(step.taken() ==
+      CHECK(step.dissipated_energy() ==
             Approx((1 - e * e) * fall).epsilon(in_double ? 1e-6 : 1e-3).margin(in_double ? 1e-9 : 1e-3));
-      CHECK(step.held() == (e == 0));
+      CHECK(step.contacts_held() == (e == 0));
       if (e > 0) continue;
       world.step(step, h);
       CHECK(step.events() == 0);
-      CHECK(step.taken() == 0);
-      CHECK(step.held());
+      CHECK(step.dissipated_energy() == 0);
+      CHECK(step.contacts_held());
     }
 }

@@ -324,9 +324,9 @@ TEST_CASE("by island: settings that cannot be used are named, and nothing has ch
   };
   refused("most is -1: a whole number, 0 or more", [](IslandSolver& s) { s.limits.most = -1; });
   refused("most_kept is 7: no less than most", [](IslandSolver& s) { s.limits.most_kept = 7; });
-  refused("most_meeting is 3: no less than most", [](IslandSolver& s) { s.limits.most_meeting = 3; });
+  refused("most_single_contacts is 3: no less than most", [](IslandSolver& s) { s.limits.most_single_contacts = 3; });
   refused("most_detections is 0", [](IslandSolver& s) { s.limits.most_detections = 0; });
-  refused("turn is 0", [](IslandSolver& s) { s.limits.turn = 0; });
+  refused("fast_turn is 0", [](IslandSolver& s) { s.limits.fast_turn = 0; });
   refused("most_work is 0", [](IslandSolver& s) { s.contact_half_step.most_work = 0; });
   refused("energy is 0", [](IslandSolver& s) { s.energy = 0; });
   refused("energy is nan", [](IslandSolver& s) { s.energy = std::numeric_limits<Real>::quiet_NaN(); });

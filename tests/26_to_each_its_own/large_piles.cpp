@@ -89,7 +89,7 @@ TEST_CASE("large piles: one that is Fast's stays so until half of its contacts a
   for (Body& body : world.bodies)
     if (body.position.x() > Real(3.5)) body.position.x() += 3 * static_cast<Real>(body.index);
   world.step(solver, h);
-  CHECK(solver.classifier().contacts(1) < solver.limits.large);
+  CHECK(solver.classifier().contacts(1) < solver.limits.large_pile);
   CHECK(solver.classifier().is_moved_by_fast(1));
   CHECK_FALSE(is_moved_by_fast(world, IslandSolver()));
 }

@@ -88,8 +88,8 @@ TEST_CASE("calls: many contacts have half steps while nothing arrives and nothin
   for (const int contacts : {8, 9, 100}) {
     CAPTURE(contacts);
     const StepType else_by = contacts > 8 ? StepType::substeps : StepType::half_steps;
-    CHECK(call(contacts, limits.turn * Real(0.99), 0) == StepType::half_steps);
-    CHECK(call(contacts, limits.turn * Real(1.01), 0) == else_by);
+    CHECK(call(contacts, limits.fast_turn * Real(0.99), 0) == StepType::half_steps);
+    CHECK(call(contacts, limits.fast_turn * Real(1.01), 0) == else_by);
     CHECK(call(contacts, 0, threshold * Real(0.9)) == StepType::half_steps);
     CHECK(call(contacts, 0, 2) == else_by);
     CHECK(calls.impact(1));

@@ -43,14 +43,14 @@ inline std::vector<Places> places_by(HalfStep solver, World world, int steps, co
 
 /// The largest error that is said of a body, m, and whether each is said to be kept.
 struct Said {
-  Real place = 0;
+  Real position_error = 0;
   bool kept = true;
 };
 inline Said said_of(const World& world, TwinSolver& solver) {
   Said said;
   for (const Body& body : world.bodies) {
     const BodyError known = solver.error_of(body.index);
-    said.place = std::max(said.place, known.place);
+    said.position_error = std::max(said.position_error, known.position_error);
     said.kept &= known.kept;
   }
   return said;
@@ -71,11 +71,11 @@ inline Fared fare(World world, Real error, const std::vector<Places>& truth, con
     if (change && i == truth.size() / 2) change(world);
     world.step(solver, h);
     const Said said = said_of(world, solver);
-    fared.last_off = farthest(places_of(world), truth[i]), fared.last_said = said.place;
+    fared.last_off = farthest(places_of(world), truth[i]), fared.last_said = said.position_error;
     fared.kept &= said.kept;
     fared.off = std::max(fared.off, fared.last_off / error);
     if (fared.kept) fared.kept_off = fared.off;
-    most_said = std::max(most_said, said.place);
+    most_said = std::max(most_said, said.position_error);
     fared.beyond = std::max(fared.beyond, fared.last_off - most_said);
   }
   return fared;

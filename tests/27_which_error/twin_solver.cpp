@@ -99,7 +99,7 @@ TEST_CASE("within an error: an infinite one is chapter 26, to the bit") {
     world.step(solver, h);
     by_island.step(other, h);
     REQUIRE(hash_of(world) == hash_of(by_island));
-    REQUIRE(said_of(world, solver).place == 0);
+    REQUIRE(said_of(world, solver).position_error == 0);
   }
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("within an error: the same bits with any number of threads, and of cop
     Recommended its = solver;
     world.step(solver, h);  // which the copy must not feel
     for (int i = copied_after; i < 90; ++i) copy.step(its, h);
-    return std::pair(hash_of(copy), said_of(copy, its).place);
+    return std::pair(hash_of(copy), said_of(copy, its).position_error);
   };
   const auto alone = after(nullptr, 0);
   CHECK(after(nullptr, 50) == alone);
@@ -175,13 +175,13 @@ TEST_CASE("within an error: where many slide in substeps, their number gives wha
       world.step(solver, h);
       kept &= said_of(world, solver).kept;
       const BodyError known = solver.error_of(1);
-      REQUIRE(known.how == StepType::substeps);
+      REQUIRE(known.step_type == StepType::substeps);
       const Real t = static_cast<Real>(i) * h, off = speed * t - mu * g * t * t / 2 - world.bodies[1].position.x();
       CHECK((off < error || !kept));
       if (i < 30) continue;
       CHECK(off == Approx(mu * g * h * t / 2 / known.substeps).epsilon(0.05));
-      CHECK(known.place > off);
-      CHECK(known.place < 2 * off);
+      CHECK(known.position_error > off);
+      CHECK(known.position_error < 2 * off);
     }
     CHECK(kept == (error > Real(5e-4)));
   }
@@ -197,7 +197,8 @@ TEST_CASE("within an error: what stops at any instant is off by no more than is 
     Recommended solver = within(Real(1e-3));
     for (int step = 0; step < 60; ++step) world.step(solver, h);
     const double way = truth::way_of_sliding(double(speed), double(mu * g), double(world.time));
-    const Real off = std::abs(world.bodies[1].position.x() - static_cast<Real>(way)), said = solver.error_of(1).place;
+    const Real off = std::abs(world.bodies[1].position.x() - static_cast<Real>(way)),
+               said = solver.error_of(1).position_error;
     INFO(speed << " m/s: off by " << off << ", said " << said);
     CHECK(off <= said + point_rounding);
     CHECK(said < mu * g * h * h / 4);  // twice what a single half step in each step may be off by
@@ -248,20 +249,20 @@ TEST_CASE("within an error: a body that the program adds or sets has no error ye
     }
     world.step(solver, h);
     undisturbed.step(other, h);
-    CHECK(solver.error_of(1).place == Approx(other.error_of(1).place).epsilon(1e-6));
+    CHECK(solver.error_of(1).position_error == Approx(other.error_of(1).position_error).epsilon(1e-6));
     if (i != 20) continue;
-    CHECK(solver.error_of(0).place < other.error_of(0).place / 3);  // of one step
-    CHECK(solver.error_of(2).place < point_rounding);
+    CHECK(solver.error_of(0).position_error < other.error_of(0).position_error / 3);  // of one step
+    CHECK(solver.error_of(2).position_error < point_rounding);
   }
-  const Real before = solver.error_of(1).place;
+  const Real before = solver.error_of(1).position_error;
   world.bodies[1].orientation = Quat(Eigen::AngleAxis<Real>(Real(0.1), Vec3::UnitY())) * world.bodies[1].orientation;
   world.step(solver, h);
-  CHECK(solver.error_of(1).place < before / 3);
+  CHECK(solver.error_of(1).position_error < before / 3);
   solver.forget_errors();
-  CHECK(said_of(world, solver).place == 0);
+  CHECK(said_of(world, solver).position_error == 0);
   world.step(solver, h);
-  CHECK(said_of(world, solver).place < before / 3);
-  CHECK(said_of(world, solver).place > 0);
+  CHECK(said_of(world, solver).position_error < before / 3);
+  CHECK(said_of(world, solver).position_error > 0);
 }
 
 TEST_CASE("within an error: with a body that is lost, all that it touches begin again, and nothing else") {
@@ -275,9 +276,9 @@ TEST_CASE("within an error: with a body that is lost, all that it touches begin 
     CHECK(solver.error_of(beside).kept);
     if (i != 120) continue;
     CHECK_FALSE(solver.error_of(1).kept);
-    CHECK(solver.error_of(1).place > 10 * solver.error);
+    CHECK(solver.error_of(1).position_error > 10 * solver.error);
     CHECK_FALSE(solver.error_of(below).kept);
-    CHECK(solver.error_of(below).place < solver.error);
+    CHECK(solver.error_of(below).position_error < solver.error);
   }
   CHECK(said_of(world, solver).kept);  // all rest
 }
@@ -301,7 +302,7 @@ TEST_CASE("within an error: a solver that steps two worlds in turn knows what is
     for (World& world : worlds) {
       world.step(solver, h);
       CHECK(said_of(world, solver).kept);
-      CHECK(said_of(world, solver).place < Real(1e-5));
+      CHECK(said_of(world, solver).position_error < Real(1e-5));
     }
   CHECK(farthest(places_of(worlds[0]), places_cut_at_impacts(pendulum(1), 60).back()) < Real(1e-4));
 }
@@ -311,7 +312,7 @@ TEST_CASE("within an error: what does not move by itself has no error, and carri
   Recommended solver = within(Real(1e-4));
   world.step(solver, h);  // without any body
   CHECK(world.time == h);
-  CHECK(solver.error_of(0).how == StepType::none);
+  CHECK(solver.error_of(0).step_type == StepType::none);
   const Vec3 speed(Real(0.5), Real(0.2), 0), load(0, Real(0.3), 0);
   const int lift = world.add(box({1, Real(0.1), 1}, 1).fixed());
   const int parcel = world.add(box({Real(0.2), Real(0.2), Real(0.2)}, 10).at(load).moving(speed));
@@ -319,8 +320,8 @@ TEST_CASE("within an error: what does not move by itself has no error, and carri
     const Vec3 to = static_cast<Real>(i) * h * speed + std::max(0, i - 30) * h * speed.y() * Vec3::UnitY();
     world.bodies[std::size_t(lift)].moved_to(to, Quat::Identity(), h);
     world.step(solver, h);
-    CHECK(solver.error_of(lift).how == StepType::none);
-    CHECK(solver.error_of(lift).place == 0);
+    CHECK(solver.error_of(lift).step_type == StepType::none);
+    CHECK(solver.error_of(lift).position_error == 0);
     CHECK(said_of(world, solver).kept);
     CHECK((world.bodies[std::size_t(parcel)].position - to - load).norm() < Real(1e-6));
   }
@@ -339,7 +340,7 @@ TEST_CASE("within an error: steps may have any length") {
       truth.step(half_step, dt);
       CHECK(solver.error_of(0).kept);
     }
-    const Real off = farthest(places_of(world), places_of(truth)), said = solver.error_of(0).place;
+    const Real off = farthest(places_of(world), places_of(truth)), said = solver.error_of(0).position_error;
     INFO("off by " << off << ", said " << said);
     CHECK(said > off);
     CHECK(said < 11 * off);

@@ -8,6 +8,7 @@
 #include "pushback/common/world/any_solver.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/common/world/situations.h"
+#include "pushback/common/world/solver_from.h"
 #include "pushback/engine/substeps/wide_solver.h"
 #include "pushback/tools/catalogue/solvers.h"
 #include "tests/support/catch.h"
@@ -21,22 +22,35 @@ namespace {
 constexpr Real h = Real(1) / 60;
 
 /// Says of each call what it was asked, and has a plan like nobody else's.
-struct Telltale : StepSolver {
+struct TelltaleFunctions {
   std::shared_ptr<std::vector<std::string>> calls = std::make_shared<std::vector<std::string>>();
   Plan its_plan{.detections = 2, .substeps = 3, .sweeps = 7, .margin = {Real(0.5), Real(0.25)}, .moves_bodies = true};
 
-  Plan plan(Real /*dt*/) const override { return its_plan; }
-  bool supports_joints() const override { return true; }
-  void check(World&, Real dt) override { note("check", dt); }
-  void after_detection(World&, Real dt) override { note("after_detection", dt); }
-  void solve(World&, Real dt, int sweeps) override { note("solve " + std::to_string(sweeps), dt); }
-  void integrate_positions(World&, Real dt) override { note("integrate positions", dt); }
-  void after_move(World&, Real dt) override { note("after_move", dt); }
-  void end_detection(World&) override { calls->push_back("end_detection"); }
-  SolveStats stats() const override { return {11, 13}; }
+  Plan plan(Real /*dt*/) const { return its_plan; }
+  static bool supports_joints() { return true; }
+  void check(World&, Real dt) { note("check", dt); }
+  void after_detection(World&, Real dt) { note("after_detection", dt); }
+  void solve(World&, Real dt, int sweeps) { note("solve " + std::to_string(sweeps), dt); }
+  void integrate_positions(World&, Real dt) { note("integrate positions", dt); }
+  void after_move(World&, Real dt) { note("after_move", dt); }
+  void end_detection(World&) { calls->push_back("end_detection"); }
+  static SolveStats stats() { return {11, 13}; }
 
  private:
   void note(const std::string& what, Real dt) { calls->push_back(fmt::format("{}, 1/{:g} s", what, 1 / dt)); }
+};
+using Telltale = SolverFrom<TelltaleFunctions>;
+
+/// Leaves the motion of bodies to the step, although its plan says otherwise.
+struct WithoutMotion {
+  static Plan plan(Real /*dt*/) { return {.moves_bodies = true}; }
+  static bool supports_joints() { return false; }
+  static void check(World&, Real /*dt*/) {}
+  static void after_detection(World&, Real /*dt*/) {}
+  static void solve(World&, Real /*dt*/, int /*sweeps*/) {}
+  static void after_move(World&, Real /*dt*/) {}
+  static void end_detection(World&) {}
+  static SolveStats stats() { return {}; }
 };
 
 using Pushing = Solver<Clamping>;  // the least that holds bodies
@@ -104,6 +118,15 @@ TEST_CASE("contract: a step calls its solver in this order, in the parts that it
   world.step(solver, h);
   CHECK(*solver.calls == calls_of_a_step());
   CHECK(std::abs(world.time - h) <= 8 * std::numeric_limits<Real>::epsilon());
+}
+
+TEST_CASE("contract: a class without integrate_positions has its bodies moved as by any solver") {
+  World world = falling_ball();
+  SolverFrom<WithoutMotion> solver;
+  world.step(solver, h);
+  CHECK(world.bodies[0].velocity.y() == Approx(-World::g * h));
+  CHECK(world.bodies[0].position.y() == Approx(10 - World::g * h * h));
+  CHECK_FALSE(solver.supports_joints());
 }
 
 TEST_CASE("contract: what is around a solver hands everything on") {

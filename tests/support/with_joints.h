@@ -3,7 +3,7 @@
 
 #include "pushback/chapters/13_joints/hinge.h"
 #include "pushback/chapters/14_joints_under_load/jointed_solver.h"
-#include "pushback/chapters/14_joints_under_load/steady_joints.h"
+#include "pushback/chapters/14_joints_under_load/steady_jointed_solver.h"
 #include "pushback/common/world/situations.h"
 #include "pushback/tools/catalogue/catalogue.h"
 

@@ -10,7 +10,7 @@
 #include "pushback/chapters/10_position_correction/split_impulse.h"
 #include "pushback/chapters/11_substeps/substeps.h"
 #include "pushback/chapters/14_joints_under_load/jointed_solver.h"
-#include "pushback/chapters/14_joints_under_load/steady_joints.h"
+#include "pushback/chapters/14_joints_under_load/steady_jointed_solver.h"
 #include "pushback/chapters/21_detected_once/detected_once.h"
 #include "pushback/common/basics/input.h"
 #include "pushback/engine/direct/direct_joints.h"

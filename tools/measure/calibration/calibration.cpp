@@ -4,9 +4,9 @@
 #include <limits>
 #include <sstream>
 
+#include "pushback/common/basics/stopwatch.h"
 #include "pushback/engine/presets.h"
 #include "pushback/tools/measure/results/csv.h"
-#include "pushback/tools/measure/study/stopwatch.h"
 
 namespace pushback::calibration {
 
@@ -106,7 +106,7 @@ Played play(const Scene& scene, const Truth& truth) {
     played.said = 0;
     for (const Body& body : world.bodies) {
       const BodyError known = solver.error_of(body.index);
-      played.said = std::max(played.said, known.place);
+      played.said = std::max(played.said, known.position_error);
       played.flagged |= !known.kept;
     }
   }

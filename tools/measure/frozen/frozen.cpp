@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "pushback/common/basics/quantile.h"
+#include "pushback/common/basics/stopwatch.h"
 #include "pushback/engine/direct/smoothed_newton.h"
 #include "pushback/tools/measure/frozen/siconos.h"
 #include "pushback/tools/measure/results/csv.h"
-#include "pushback/tools/measure/study/stopwatch.h"
 
 namespace pushback::frozen {
 

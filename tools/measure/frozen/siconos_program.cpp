@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "pushback/tools/measure/study/stopwatch.h"
+#include "pushback/common/basics/stopwatch.h"
 
 int main(int argc, char** argv) {
   const std::map<std::string, int> methods{{"Siconos NSGS", SICONOS_FRICTION_3D_NSGS},

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "pushback/common/basics/quantile.h"
+#include "pushback/common/basics/stopwatch.h"
 #include "pushback/common/world/measure.h"
 #include "pushback/tools/measure/results/csv.h"
-#include "pushback/tools/measure/study/stopwatch.h"
 
 namespace pushback::outside {
 

@@ -3,7 +3,7 @@
 #include "pushback/chapters/09_impacts/simultaneous.h"
 #include "pushback/chapters/10_position_correction/nonlinear_gauss_seidel.h"
 #include "pushback/chapters/10_position_correction/split_impulse.h"
-#include "pushback/chapters/14_joints_under_load/steady_joints.h"
+#include "pushback/chapters/14_joints_under_load/steady_jointed_solver.h"
 #include "pushback/chapters/19_accuracy_and_time/rest_depth.h"
 #include "pushback/engine/direct/direct_joints.h"
 #include "pushback/engine/direct/warm_direct_contacts.h"

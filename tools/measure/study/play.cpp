@@ -10,10 +10,10 @@
 #include <stdexcept>
 
 #include "pushback/common/basics/quantile.h"
+#include "pushback/common/basics/stopwatch.h"
 #include "pushback/common/experiment/program.h"
 #include "pushback/tools/measure/results/csv.h"
 #include "pushback/tools/measure/study/every_motion.h"
-#include "pushback/tools/measure/study/stopwatch.h"
 
 namespace pushback {
 

@@ -31,4 +31,14 @@ class Stopwatch {
   double own_since_ = 0, seconds_ = 0;
 };
 
+/// The time that `act()` takes, s.
+template <class Act>
+double computing_time(const Act& act) {
+  Stopwatch watch;
+  watch.go();
+  act();
+  watch.stop();
+  return watch.seconds();
+}
+
 }  // namespace pushback

@@ -1,4 +1,4 @@
-/// The common base of the solvers of chapters 21 and 22, which detect contacts once per step.
+/// What the solvers of chapters 21 and 22, which detect contacts once per step, have in common.
 #pragma once
 
 #include <algorithm>
@@ -41,7 +41,7 @@ inline Vec3 clamped_to_cone(const Vec3& impulse, const Vec3& n, Real friction) {
 
 /// The settings and plan of a solver that divides its steps into substeps of one sweep. Contacts are detected within a margin, so
 /// that bodies that touch later in the step have rows.
-struct SubsteppingSolver : StepSolver {
+struct Substepping {
   /// The substeps of a step of `reference_step`, s. A longer step has more and a shorter one fewer, so that contacts are equally
   /// stiff. If reference_step is 0, each step has this number, whatever its length.
   int substeps = 32;
@@ -55,8 +55,9 @@ struct SubsteppingSolver : StepSolver {
   int most_rounds = 100;  ///< passes over the normals in a sweep
   SoftContacts spring;    ///< chapter 12's frequency, damping ratio and fastest push-out
 
-  bool supports_joints() const override { return true; }
-  void check(World& world, Real h) override {
+  static bool supports_joints() { return true; }
+  /// Throws InvalidInput if a setting cannot be used.
+  void check_settings(World& world, Real h) {
     if (substeps < 1) throw InvalidInput(fmt::format("substeps is {}: a whole number, 1 or more, is needed", substeps));
     require_not_negative("reference_step", reference_step);
     require_not_negative("margin", margin);
@@ -69,7 +70,7 @@ struct SubsteppingSolver : StepSolver {
     StepContext step = joints_step(world, h);
     spring.check(step);
   }
-  Plan plan(Real dt) const override {
+  Plan plan(Real dt) const {
     const Real parts = reference_step > 0 ? static_cast<Real>(substeps) * dt / reference_step * (1 - rounding)
                                           : static_cast<Real>(substeps);
     // dt may have any value, because `plan` is called before dt is checked.
