@@ -7,6 +7,7 @@
 #include "pushback/common/bodies/random.h"
 #include "pushback/engine/presets.h"
 #include "pushback/tools/bench/in_turn.h"
+#include "pushback/tools/measure/study/further_motions.h"
 
 using namespace pushback;
 
@@ -45,6 +46,11 @@ World ten_in_a_heap() {
 World ten_in_a_column() {
   return ten_dropped(Real(0.05));
 }
+World pyramid_of_hulls() {
+  World world;
+  further::PileOfHulls{}(world);
+  return world;
+}
 
 template <class Solver, World (*scene)()>
 void longest(benchmark::State& state) {
@@ -65,9 +71,11 @@ BENCHMARK_TEMPLATE(longest, Recommended, heavy_on_light)->Iterations(1)->Unit(be
 BENCHMARK_TEMPLATE(longest, Recommended, thrown_bar)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK_TEMPLATE(longest, Recommended, ten_in_a_heap)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK_TEMPLATE(longest, Recommended, ten_in_a_column)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(longest, Recommended, pyramid_of_hulls)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK_TEMPLATE(longest, Fast, heavy_on_light)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK_TEMPLATE(longest, Fast, thrown_bar)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK_TEMPLATE(longest, Fast, ten_in_a_heap)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK_TEMPLATE(longest, Fast, ten_in_a_column)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK_TEMPLATE(longest, Fast, pyramid_of_hulls)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 }  // namespace
