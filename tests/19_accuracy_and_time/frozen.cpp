@@ -1,4 +1,4 @@
-/// Chapter 19: frozen problems, what is traced on them, and performance profiles. Nothing here depends on a clock.
+/// Chapter 19: frozen problems, and how far each method comes on them. Nothing here depends on a clock.
 #include <filesystem>
 
 #include "pushback/chapters/17_direct_contacts/methods.h"
@@ -16,11 +16,6 @@ using namespace pushback::frozen;
 
 namespace {
 
-/// As far as `sweeps` go, however long that takes.
-TraceLimits limited_to(int sweeps) {
-  return {.sweeps = sweeps, .seconds = 1e9, .enough = 0, .ladder = {1e-6}, .asked = {1e-6}};
-}
-
 const std::vector<FrozenProblem>& ours() {
   static const std::vector<FrozenProblem> problems = own_problems();  // a second's work
   return problems;
@@ -33,16 +28,6 @@ const FrozenProblem& named(const std::string& name) {
 }
 
 }  // namespace
-
-TEST_CASE("a profile of known costs is the known one") {
-  const Costs costs{{1, 2}, {4, 1}, {not_reached, 3}, {not_reached, not_reached}};
-  CHECK(part_within(costs, 0, 1) == 0.25);
-  CHECK(part_within(costs, 0, 3.99) == 0.25);
-  CHECK(part_within(costs, 0, 4) == 0.5);
-  CHECK(part_within(costs, 0, 1e300) == 0.5);
-  CHECK(part_within(costs, 1, 2) == 0.75);
-  CHECK(part_within({}, 0, 2) == 0);
-}
 
 TEST_CASE("every frozen problem is symmetric, and the small ones can be solved") {
   for (const FrozenProblem& frozen : ours()) {
@@ -60,30 +45,43 @@ TEST_CASE("where bodies are known, W is B B^T, and the smoothed method solves be
     CHECK(SparseMatrix(product - frozen.problem.w).norm() <= 1e-12 * frozen.problem.w.norm());
   }
   const FrozenProblem& frozen = named("pyramid of 5");
-  const double from_bodies = Trace(frozen.problem, "smoothed", limited_to(1), frozen.factor).points().back().residual;
-  CHECK(from_bodies == solve_smoothed(frozen.problem, {.tolerance = 1e-6}, frozen.factor).residual);
+  const double from_bodies = solve_smoothed(frozen.problem, {.tolerance = 1e-6}, frozen.factor).residual;
+  CHECK(from_bodies <= 1e-6);
   CHECK(from_bodies != solve_smoothed(frozen.problem, {.tolerance = 1e-6}).residual);  // rounded otherwise
 }
 
-TEST_CASE("a trace ends where the method itself ends, and passes where it passes") {
+TEST_CASE("a method reaches a residual where it does by itself, and not at the stop before") {
   for (const char* name : {"small pile after 1 s", "twelve planks sliding", "heavy on light 1:100"}) {
-    const ContactProblem& problem = named(name).problem;
+    const FrozenProblem& frozen = named(name);
     for (const std::string& method : method_names()) {
       INFO(name << ", " << method);
-      Trace trace(problem, method, limited_to(137));
-      REQUIRE(!trace.points().empty());
-      const FrozenPoint last = trace.points().back();
-      if (counts_sweeps(method)) {  // stopped after single sweeps
-        CHECK(last.sweeps == 137);
-        for (const FrozenPoint& point : trace.points())
-          CHECK(point.residual == solve(problem, method, point.sweeps, 0).residual);
-      } else {
-        CHECK(last.residual == solve(problem, method, 137, 1e-6).residual);
-        CHECK(last.residual <= 1e-6);
+      const Progress progress = progress_of(frozen, method, {.sweeps = 137, .seconds = 1e9});
+      for (std::size_t i = 0; i < tolerances.size(); ++i) {
+        const auto residual = [&](int sweeps) { return solve(frozen.problem, method, sweeps, 0).residual; };
+        if (!counts_sweeps(method)) {
+          REQUIRE(progress[i]);
+          CHECK(solve(frozen.problem, method, 0, tolerances[i]).residual <= tolerances[i]);
+        } else if (!progress[i]) {
+          CHECK(residual(137) > tolerances[i]);
+        } else {
+          const int sweeps = progress[i]->sweeps;  // at most a quarter too many
+          CHECK(residual(sweeps) <= tolerances[i]);
+          if (sweeps > 0) CHECK(residual(std::min(sweeps - 1, 4 * sweeps / 5)) > tolerances[i]);
+        }
       }
-      CHECK(*last.row_solves == 3.0 * static_cast<double>(problem.contacts()) * last.sweeps);
     }
   }
+}
+
+TEST_CASE("only what is reached is in the tables, and the fastest is bold") {
+  Compared row{"a", 4, std::vector<Progress>(method_names().size())};
+  row.of_method[0][0] = Reached{.sweeps = 10, .seconds = 2e-3};
+  row.of_method[1][0] = Reached{.sweeps = 1000, .systems = 5, .seconds = 1e-3};
+  const std::vector<Compared> rows{row};
+  CHECK(contains(tables_of(rows), "| a | 4 | 2 / 120 | **1** / 12k + 5 | - | - | - | - |\n"));
+  const std::string reached = reached_of(rows);
+  CHECK(contains(reached, "| pgs | 1, 0, 2 x | 0, – | 0, – |\n"));
+  CHECK(contains(reached, "| scaled-back | 1, 1, 1 x | 0, – | 0, – |\n"));
 }
 
 TEST_CASE("what pgs leaves of a pyramid at rest is impulses in the corners of the friction pyramid, and nothing else") {
@@ -111,20 +109,6 @@ TEST_CASE("what pgs leaves of a pyramid at rest is impulses in the corners of th
   CHECK(farthest == Approx(std::sqrt(2.0)));
   CHECK(std::sqrt(all_error) / problem.q.norm() == Approx(0.125).margin(0.001));
   CHECK(std::sqrt(inside_error) / problem.q.norm() < 1e-7);
-}
-
-TEST_CASE("points are read as they were written, and what is no line of them is refused, with the line") {
-  const std::string heading = lines_of(csv_of({}))[0] + "\n";
-  CHECK(read_frozen_csv(heading).problems.empty());
-  const std::string text = heading + "a,3,pgs,1,9,0,1.000000e-03,2.000e-06,1.000e-06,4.000e-06\n" +
-                           "b,4,cone,2,-,5,1.000000e-04,1.000e+00,1.000e+00,1.000e+00\n";
-  const FrozenPoints two = read_frozen_csv(text);
-  CHECK(csv_of(two) == text);
-  CHECK((two.problems.at(1).of_method[0].empty() && !two.problems[1].of_method[1][0].row_solves));
-  CHECK(contains(complaint([] { read_frozen_csv("problem\n"); }), "'problem'"));
-  for (const std::string line : {"a,3,pgs,1,9,0,1e-3", "a,x,pgs,1,9,0,1e-3,1,1,1", "a,3,,1,9,0,1e-3,1,1,1",
-                                 "a,3,pgs,1,nine,0,1e-3,1,1,1", "a,3,pgs,1,,0,1e-3,1,1,1", ""})
-    CHECK(contains(complaint([&] { read_frozen_csv(heading + line + "\n"); }), "'" + line + "'"));
 }
 
 TEST_CASE("a folder of problems that is none is refused by name") {

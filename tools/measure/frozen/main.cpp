@@ -1,57 +1,20 @@
-/// What accuracy costs on one problem at a time: pictures, a table and all numbers.
+/// ./course study plays it after the motions: every method on every frozen problem, as two tables.
 #include <algorithm>
 #include <iterator>
 
 #include "pushback/common/basics/files.h"
+#include "pushback/common/basics/input.h"
 #include "pushback/common/experiment/program.h"
 #include "pushback/tools/measure/frozen/frozen.h"
 
 using namespace pushback;
 using namespace pushback::frozen;
 
-namespace {
-
-void draw(const FrozenPoints& points, const std::filesystem::path& to) {
-  write_plot(to / "frozen.png", trace_panels(points));
-  write_plot(to / "profiles.png", profile_panels(points));
-}
-
-/// Files and pictures of the whole; what the chapter's page shows is printed, too.
-void show(const std::string& csv, const std::vector<FrozenProblem>& problems, const std::filesystem::path& to) {
-  const FrozenPoints points = read_frozen_csv(csv);
-  std::string page;
-  for (const std::string& remark : remarks_of(points, problems)) page += "- " + remark + "\n";
-  if (std::none_of(problems.begin(), problems.end(), [](const FrozenProblem& problem) { return problem.foreign; }))
-    page += "- no folder of foreign problems was given: only our own are here\n";
-  const std::string short_page = reached_of(points) + "\n" + page;
-  fmt::print("{}", short_page);
-  for (const std::string& table : tables_of(points)) page += "\n" + table;
-  write_text_file(to / "reached.md", short_page);
-  write_text_file(to / "frozen.md", page);
-  write_text_file(to / "frozen.csv", csv);
-  draw(points, to);
-}
-
-/// The large problems: tables alone.
-void show_large(std::vector<FrozenProblem> foreign, bool quick, const std::filesystem::path& to) {
-  make_writable_folder(to);
-  std::vector<FrozenProblem> problems = large_problems();
-  std::erase_if(foreign, [](const FrozenProblem& problem) { return problem.problem.contacts() < large_contacts; });
-  std::move(foreign.begin(), foreign.end(), std::back_inserter(problems));
-  std::string page;
-  for (const std::string& table : tables_of(study_large(problems, quick))) page += (page.empty() ? "" : "\n") + table;
-  fmt::print("{}", page);
-  write_text_file(to / "large.md", page);
-}
-
-}  // namespace
-
 int main(int argc, char** argv) {
-  CommandLine line("Every method on every frozen problem: how far it comes in what time.");
+  CommandLine line("Every method on every frozen problem: how long it takes until its residual is small.");
   std::string folder, out = "renders";
-  bool quick = false, redraw = false, large = false;
+  bool quick = false, large = false;
   line.flag("--quick", quick, "Seconds instead of minutes");
-  line.flag("--redraw", redraw, "Solve nothing, and draw the pictures from frozen.csv");
   line.flag("--large", large,
             "Solve problems of hundreds and thousands of contacts instead, each once, which takes minutes, and write "
             "large.md");
@@ -59,21 +22,26 @@ int main(int argc, char** argv) {
       .from_environment("PUSHBACK_PROBLEMS");
   line.option("--out", out, "The folder in which the folder 19_accuracy_and_time is written").shows_default();
   return line.run(argc, argv, [&] {
-    if (large && redraw) throw InvalidInput("--large cannot be combined with --redraw, because it has no pictures");
-    const std::filesystem::path to = std::filesystem::path(out) / "19_accuracy_and_time";
-    if (redraw) {
-      draw(read_frozen_csv(read_text_file(to / "frozen.csv")), to);
-      return;
-    }
     std::vector<FrozenProblem> foreign;
     if (!folder.empty()) foreign = foreign_problems(folder);  // a bad one is said before anything is made or written
+    const std::filesystem::path to = std::filesystem::path(out) / "19_accuracy_and_time";
+    make_writable_folder(to);
+    constexpr Eigen::Index large_contacts = 400;
+    if (large)
+      std::erase_if(foreign, [](const FrozenProblem& frozen) { return frozen.problem.contacts() < large_contacts; });
+    std::vector<FrozenProblem> problems = large ? large_problems() : own_problems();
+    std::move(foreign.begin(), foreign.end(), std::back_inserter(problems));
+    Limits limits;
+    if (large) limits = {.seconds = 10, .work = 2e10};
+    if (quick) limits = {.seconds = 0.03, .work = 1e8};
+    const std::vector<Compared> rows = compare(problems, limits, large ? 1 : quick ? 3 : 7);
     if (large) {
-      show_large(foreign, quick, to);
+      write_text_file(to / "large.md", tables_of(rows));
+      fmt::print("{}", tables_of(rows));
       return;
     }
-    std::vector<FrozenProblem> problems = own_problems();
-    std::move(foreign.begin(), foreign.end(), std::back_inserter(problems));
-    make_writable_folder(to);
-    show(csv_of(study_frozen(problems, quick)), problems, to);
+    write_text_file(to / "reached.md", reached_of(rows));
+    write_text_file(to / "frozen.md", reached_of(rows) + "\n" + tables_of(rows));
+    fmt::print("{}", reached_of(rows));
   });
 }

@@ -205,7 +205,7 @@ std::vector<FrozenProblem> foreign_problems(const std::filesystem::path& folder)
   std::sort(files.begin(), files.end());
   std::vector<FrozenProblem> problems;
   for (const std::filesystem::path& file : files)
-    problems.push_back({file.stem().string(), read_problem_file(file), {}, true});
+    problems.push_back({file.stem().string(), read_problem_file(file), {}});
   return problems;
 }
 
