@@ -75,7 +75,7 @@ void IslandWorlds::give_joints(World& world) {
 void IslandWorlds::commit(World& world, Real fraction) const {
   const auto lower = [](const Contact& first, const Contact& second) { return first.id < second.id; };
   Contacts& contacts = world.contacts;
-  // The ends of runs in the order of ids: the other contacts, then those of each island.
+  // The ends of sorted runs. The first run has the other contacts, and each further one has those of an island.
   std::vector<std::size_t> ends{0, contacts.size()};
   for (std::size_t i = 0; i < count_; ++i) {
     if (!islands_[i].moved) continue;

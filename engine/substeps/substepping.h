@@ -1,4 +1,4 @@
-/// What the solvers of chapters 21 and 22, which detect contacts once per step, have in common.
+/// The common part of the solvers of chapters 21 and 22, which detect contacts once per step.
 #pragma once
 
 #include <algorithm>

@@ -8,6 +8,8 @@
 namespace {
 
 constexpr const char* overview = "../../README.md#the-trunk";
+constexpr int minutes_before = 30;  // docs/before_you_start.md
+constexpr int session = 90;         // minutes, as in docs/teaching.md
 /// Words of a page outside folds, code, tables and equations.
 constexpr std::size_t most_words = 1100;
 constexpr int most_changed_lines = 70;  // against the loop of the trunk page before
@@ -18,18 +20,19 @@ std::string text_of_page(const std::string& file) {
 
 struct TrunkPage {
   std::string title, file;
+  int minutes;
   std::vector<std::string> branches;  ///< files
   std::string name() const { return title.substr(0, title.find(' ')); }
 };
 
 /// The table of README.md.
 std::vector<TrunkPage> trunk() {
-  static const std::regex row(R"(\| (\d+) \| \[([^\]]+)\]\(([^)]+)\) \| \d+ \| (.*)\|)");
+  static const std::regex row(R"(\| (\d+) \| \[([^\]]+)\]\(([^)]+)\) \| (\d+) \| (.*)\|)");
   std::vector<TrunkPage> pages;
   for (const std::string& line : lines_of(text_of_page("README.md"))) {
     std::smatch found;
     if (!std::regex_match(line, found, row)) continue;
-    pages.push_back({found[2], found[3], targets_in(found[4])});
+    pages.push_back({found[2], found[3], std::stoi(found[4]), targets_in(found[5])});
     REQUIRE(std::stoul(found[1]) == pages.size());
   }
   return pages;
@@ -181,4 +184,46 @@ TEST_CASE("from page to page of the trunk, few lines of the plain loop change") 
     }
   }
   CHECK(compared == 11);
+}
+
+TEST_CASE("all pages that tell the trunk tell the same pages, minutes and hours") {
+  const std::vector<TrunkPage> pages = trunk();
+  std::vector<std::string> names;
+  int minutes = minutes_before;
+  std::string list;
+  for (const TrunkPage& page : pages) {
+    const bool last = &page == &pages.back();
+    list += fmt::format("{}{} ({})", names.empty() ? "" : last ? " and " : ", ", page.name(), page.minutes);
+    names.push_back(page.name());
+    minutes += page.minutes;
+  }
+  const std::string hours = fmt::format("{:.3g} hours", minutes / 60.0);
+  for (const std::string file : {"README.md", "docs/before_you_start.md", "docs/teaching.md"}) {
+    INFO(file << ": " << list << ", " << hours);
+    const std::string text = in_one_line(text_of_page(file));
+    CHECK((file == "README.md" || contains(text, list)));
+    CHECK(contains(text, fmt::format("{} pages", pages.size())));
+    CHECK(contains(text, fmt::format("{} minutes", minutes_before)));
+    CHECK(contains(text, hours));
+  }
+
+  // docs/teaching.md gives a row of twelve weeks one or more pages, and a week a session.
+  static const std::regex row(R"(\| \S+ \| (\d+) \| ([^|]*) \|.*)"), name(R"(\b\d\d[ab]?\b)");
+  std::vector<std::string> taught;
+  std::map<int, int> of_week{{1, minutes_before}};
+  for (const std::string& line : lines_of(text_of_page("docs/teaching.md"))) {
+    std::smatch found;
+    if (taught.size() == pages.size() || !std::regex_match(line, found, row)) continue;
+    const std::string cell = found[2];
+    for (std::sregex_iterator at(cell.begin(), cell.end(), name), end; at != end; ++at) {
+      taught.push_back(at->str());
+      const auto page = std::ranges::find(pages, taught.back(), &TrunkPage::name);
+      if (page != pages.end()) of_week[std::stoi(found[1])] += page->minutes;
+    }
+  }
+  CHECK(taught == names);
+  for (const auto& [week, sum] : of_week) {
+    INFO("week " << week << " of twelve");
+    CHECK(sum == session);
+  }
 }

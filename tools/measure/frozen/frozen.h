@@ -36,7 +36,7 @@ struct Limits {
   double work = 4e9;   ///< multiplications of `best` and `smoothed`, which take several seconds
 };
 
-/// What a method has done when its residual is at most a tolerance for the first time.
+/// The work of a method until its residual is at most a tolerance for the first time.
 struct Reached {
   int sweeps = 0;
   int systems = 0;     ///< linear systems
