@@ -345,3 +345,22 @@ TEST_CASE("by island: settings that cannot be used are named, and nothing has ch
       refused("budget." + name + " is " + fmt::format("{}: a finite number", value),
               [=, setting = setting](IslandSolver& s) { s.budget.*setting = value; });
 }
+
+TEST_CASE("by island: the contacts of islands whose bodies take turns in the world ascend by their ids") {
+  for (const int stacks : {1, 2, 5, 8}) {
+    CAPTURE(stacks);
+    World world;
+    world.add(ground());
+    for (int level = 0; level < 3; ++level)
+      for (int stack = 0; stack < stacks; ++stack)
+        world.add(box({Real(0.5), Real(0.5), Real(0.5)}, 1).at({Real(3 * stack), Real(level) + Real(0.5), 0}));
+    IslandSolver solver;
+    for (int i = 0; i < 3; ++i) {
+      world.step(solver, h);
+      REQUIRE(world.contacts.size() == std::size_t(12 * stacks));
+      CHECK(std::is_sorted(world.contacts.begin(), world.contacts.end(),
+                           [](const Contact& first, const Contact& second) { return first.id < second.id; }));
+    }
+    for (int stack = 0; stack < stacks; ++stack) CHECK(solver.step_of(1 + stack) == StepType::half_steps);
+  }
+}
